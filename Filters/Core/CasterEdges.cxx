@@ -1,0 +1,100 @@
+#include "CasterEdges.h"
+
+#include <algorithm>
+
+namespace shadow
+{
+namespace
+{
+int sumOfSigns(const TriangleMesh& mesh, const EdgeTable& edges, Index edge)
+{
+  int sum = 0;
+  for (Index i = edges.firstSide[edge]; i < edges.firstSide[edge + 1]; ++i)
+  {
+    sum += sideSign(mesh, edges, edge, edges.sides[i]);
+  }
+  return sum;
+}
+
+bool piecesCancel(const TriangleMesh& mesh, const EdgeTable& edges, const ChainWeights& weights,
+  Index edge)
+{
+  const Side first = edges.sides[edges.firstSide[edge]];
+  const SideNormals normals = sideNormals(mesh, edges, edge, first);
+  int lit = 0;
+  int dark = 0;
+  for (Index i = edges.firstSide[edge]; i < edges.firstSide[edge + 1]; ++i)
+  {
+    const Side side = edges.sides[i];
+    if (!(sideNormals(mesh, edges, edge, side) == normals))
+    {
+      return false;
+    }
+    const int sign = sideSign(mesh, edges, edge, side);
+    lit += sign * weights.corner[side / 3].lit;
+    dark += sign * weights.corner[side / 3].dark;
+  }
+  return lit == 0 && dark == 0;
+}
+}
+
+SideNormals sideNormals(const TriangleMesh& mesh, const EdgeTable& edges, Index edge, Side side)
+{
+  const Triangle& normals = mesh.cornerNormals[side / 3];
+  const SideNormals along{ normals[side % 3], normals[next(side % 3)] };
+  return sideSign(mesh, edges, edge, side) > 0 ? along : SideNormals{ along.b, along.a };
+}
+
+std::vector<SideNormals> distinctNormals(
+  const TriangleMesh& mesh, const EdgeTable& edges, Index edge)
+{
+  std::vector<SideNormals> distinct;
+  for (Index i = edges.firstSide[edge]; i < edges.firstSide[edge + 1]; ++i)
+  {
+    const SideNormals normals = sideNormals(mesh, edges, edge, edges.sides[i]);
+    if (std::find(distinct.begin(), distinct.end(), normals) == distinct.end())
+    {
+      distinct.push_back(normals);
+    }
+  }
+  return distinct;
+}
+
+EdgeKind edgeKind(const TriangleMesh& mesh, const EdgeTable& edges, Index edge)
+{
+  if (edges.sideCount(edge) < 2 || sumOfSigns(mesh, edges, edge) != 0)
+  {
+    return EdgeKind::Border;
+  }
+  return distinctNormals(mesh, edges, edge).size() > 1 ? EdgeKind::Crease : EdgeKind::Plain;
+}
+
+EdgeDefects countEdgeDefects(const TriangleMesh& mesh, const EdgeTable& edges)
+{
+  EdgeDefects defects;
+  for (std::size_t i = 0; i < edges.edges.size(); ++i)
+  {
+    const Index e = static_cast<Index>(i);
+    const Index sides = edges.sideCount(e);
+    defects.boundary += sides == 1;
+    defects.nonManifold += sides > 2;
+    defects.inconsistent += sides == 2 && sumOfSigns(mesh, edges, e) != 0;
+  }
+  return defects;
+}
+
+std::vector<Index> findLinkEdges(
+  const TriangleMesh& mesh, const EdgeTable& edges, const ChainWeights& weights)
+{
+  std::vector<Index> found;
+  for (std::size_t i = 0; i < edges.edges.size(); ++i)
+  {
+    const Index e = static_cast<Index>(i);
+    if (!piecesCancel(mesh, edges, weights, e))
+    {
+      found.push_back(e);
+    }
+  }
+  return found;
+}
+}

@@ -1,0 +1,297 @@
+#include "EdgeCurve.h"
+
+#include <algorithm>
+
+namespace shadow
+{
+namespace
+{
+/// Below this cosine against the frame's z a normal's slopes say nothing.
+constexpr double steepestCosine = 0.25;
+
+/// A vertex in the frame of an edge, relative to the edge's end a: its place and the slopes of
+/// the surface there.
+struct FramedVertex
+{
+  double x, y, z;
+  double gx, gy;
+  bool usable;
+};
+
+FramedVertex framed(const EdgeCurve& c, const Vec3& point, const Vec3& normal)
+{
+  const Vec3 d = point - c.a;
+  const double nz = glm::dot(normal, c.z);
+  return { glm::dot(d, c.x), glm::dot(d, c.y), glm::dot(d, c.z), -glm::dot(normal, c.x) / nz,
+    -glm::dot(normal, c.y) / nz, nz > steepestCosine };
+}
+
+/// Adds one triangle's two equations for the correction (half of it) to a least-squares sum: the
+/// cubic Bezier patch over triangle (a, b, c) is to continue to vertex d of the other triangle
+/// with that vertex's place and slopes.
+void addEquations(const EdgeCurve& e, const FramedVertex& c, const FramedVertex& d, double& num,
+  double& den)
+{
+  const double L = e.length;
+  const double sa = e.slopeA;
+  const double sb = e.slopeB;
+  const double ga = e.acrossA;
+  const double gb = e.acrossB;
+  // Bezier ordinates of the patch that are fixed by places and slopes at a, b and c.
+  const double b210 = sa * L / 3.0;
+  const double b120 = -sb * L / 3.0;
+  const double b201 = (sa * c.x + ga * c.y) / 3.0;
+  const double b021 = (sb * (c.x - L) + gb * c.y) / 3.0;
+  const double b102 = c.z - (c.gx * c.x + c.gy * c.y) / 3.0;
+  const double b012 = c.z + (c.gx * (L - c.x) - c.gy * c.y) / 3.0;
+  // The same ordinates of the patch of the other triangle, as vertex d tells them.
+  const double r102 = d.z - (d.gx * d.x + d.gy * d.y) / 3.0;
+  const double r012 = d.z + (d.gx * (L - d.x) - d.gy * d.y) / 3.0;
+  // d in barycentric coordinates of (a, b, c), and the derivatives of these along y.
+  const double G = d.y / c.y;
+  const double B = (d.x - G * c.x) / L;
+  const double A = 1.0 - B - G;
+  const double yc = 1.0 / c.y;
+  const double yb = -c.x / (c.y * L);
+  const double ya = -yc - yb;
+  const double linear = ((ga + gb) / 6.0 - ya * b210 - yb * b120) / yc;
+  const double w1 = 2.0 * B * G;
+  const double w2 = 2.0 * A * G;
+  const double r1 = r102 -
+    (B * B * b120 + G * G * b102 + 2.0 * A * B * b210 + 2.0 * A * G * b201) - w1 * linear;
+  const double r2 = r012 -
+    (A * A * b210 + G * G * b012 + 2.0 * A * B * b120 + 2.0 * B * G * b021) - w2 * linear;
+  const double q = 1.0 / (L * (0.5 + A * A + B * B + G * G));
+  const double a1 = w1 * q / (3.0 * yc);
+  const double a2 = w2 * q / (3.0 * yc);
+  num += q * (a1 * r1 + a2 * r2);
+  den += a1 * a1 + a2 * a2;
+}
+
+FramedVertex oppositeVertex(const TriangleMesh& mesh, const EdgeCurve& curve, Side side)
+{
+  const unsigned corner = next(next(side % 3));
+  return framed(curve, mesh.points[mesh.triangles[side / 3][corner]],
+    mesh.normals[mesh.cornerNormals[side / 3][corner]]);
+}
+
+double correctionAcross(
+  const TriangleMesh& mesh, const EdgeTable& edges, Index edge, const EdgeCurve& curve)
+{
+  if (edgeKind(mesh, edges, edge) != EdgeKind::Plain || edges.sideCount(edge) != 2)
+  {
+    return 0.0;
+  }
+  const FramedVertex o0 = oppositeVertex(mesh, curve, edges.sides[edges.firstSide[edge]]);
+  const FramedVertex o1 = oppositeVertex(mesh, curve, edges.sides[edges.firstSide[edge] + 1]);
+  if (!(o0.y * o1.y < 0.0) || !o0.usable || !o1.usable)
+  {
+    return 0.0;
+  }
+  double num = 0.0;
+  double den = 1e-3; // a ridge, without dimension: keeps slivers harmless
+  addEquations(curve, o0, o1, num, den);
+  addEquations(curve, o1, o0, num, den);
+  const double limit = std::fabs(curve.acrossA - curve.acrossB) +
+    std::fabs(curve.slopeA - curve.slopeB);
+  const double correction = num / den;
+  return std::isfinite(correction) ? 2.0 * std::clamp(correction, -limit, limit) : 0.0;
+}
+
+void shapeSurface(const TriangleMesh& mesh, const EdgeTable& edges, Index edge,
+  const SideNormals& sides, EdgeCurve& c)
+{
+  const Vec3 na = mesh.normals[sides.a];
+  const Vec3 nb = mesh.normals[sides.b];
+  c.length = glm::length(c.b - c.a);
+  c.x = (c.b - c.a) / c.length;
+  const Vec3 mean = na + nb;
+  c.z = unitOrSame(mean - glm::dot(mean, c.x) * c.x);
+  c.y = glm::cross(c.z, c.x);
+  const double za = glm::dot(na, c.z);
+  const double zb = glm::dot(nb, c.z);
+  if (!(za > steepestCosine) || !(zb > steepestCosine))
+  {
+    return;
+  }
+  c.shape = EdgeCurve::Shape::Surface;
+  c.slopeA = -glm::dot(na, c.x) / za;
+  c.slopeB = -glm::dot(nb, c.x) / zb;
+  c.acrossA = -glm::dot(na, c.y) / za;
+  c.acrossB = -glm::dot(nb, c.y) / zb;
+  // What a circle's arc has more than the cubic with the same ends and slopes.
+  const double half = 0.5 * (std::atan(c.slopeA) - std::atan(c.slopeB));
+  c.heightCorrection = 16.0 * c.length * (0.5 * std::tan(0.5 * half) - 0.25 * std::tan(half));
+  c.acrossCorrection = correctionAcross(mesh, edges, edge, c);
+}
+
+/// The tangent of a crease at one end: along both sides' surfaces, at the length that makes the
+/// cubic keep a circle's arc; the chord where that is no usable direction.
+Vec3 creaseTangent(const Vec3& n1, const Vec3& n2, const Vec3& chord)
+{
+  const double length = glm::length(chord);
+  Vec3 t = glm::cross(n1, n2);
+  if (glm::length(t) < 0.05)
+  {
+    const Vec3 n = unitOrSame(n1 + n2);
+    t = chord - glm::dot(chord, n) * n;
+  }
+  t = unitOrSame(t);
+  double cosine = glm::dot(t, chord) / length;
+  if (cosine < 0.0)
+  {
+    t = -t;
+    cosine = -cosine;
+  }
+  return cosine < 0.5 ? chord : t * (2.0 * length / (1.0 + cosine));
+}
+
+void shapeCrease(
+  const TriangleMesh& mesh, const std::vector<SideNormals>& normals, EdgeCurve& c)
+{
+  c.shape = EdgeCurve::Shape::Crease;
+  const Vec3 chord = c.b - c.a;
+  if (normals.size() != 2)
+  {
+    c.crease = CubicCurve::line(c.a, c.b);
+    return;
+  }
+  c.crease = CubicCurve::hermite(c.a,
+    creaseTangent(mesh.normals[normals[0].a], mesh.normals[normals[1].a], chord), c.b,
+    creaseTangent(mesh.normals[normals[0].b], mesh.normals[normals[1].b], chord));
+}
+
+double height(const EdgeCurve& c, double s)
+{
+  const double r = 1.0 - s;
+  return c.length * (c.slopeA * s * r * r - c.slopeB * s * s * r) +
+    c.heightCorrection * s * s * r * r;
+}
+
+double slopeAlong(const EdgeCurve& c, double s)
+{
+  const double r = 1.0 - s;
+  return c.slopeA * r * (1.0 - 3.0 * s) + c.slopeB * s * (3.0 * s - 2.0) +
+    2.0 * c.heightCorrection * s * r * (1.0 - 2.0 * s) / c.length;
+}
+}
+
+Vec3 EdgeCurve::point(double s) const
+{
+  switch (this->shape)
+  {
+    case Shape::Surface:
+      return this->a + s * (this->b - this->a) + height(*this, s) * this->z;
+    case Shape::Crease:
+      return this->crease.point(s);
+    default:
+      return this->a + s * (this->b - this->a);
+  }
+}
+
+Vec3 EdgeCurve::derivative(double s) const
+{
+  switch (this->shape)
+  {
+    case Shape::Surface:
+      return this->length * (this->x + slopeAlong(*this, s) * this->z);
+    case Shape::Crease:
+      return this->crease.derivative(s);
+    default:
+      return this->b - this->a;
+  }
+}
+
+EdgeCurve::Sample EdgeCurve::sample(double s, const Vec3& normalA, const Vec3& normalB) const
+{
+  Sample result{ this->point(s), normalA + s * (normalB - normalA) };
+  if (this->shape == Shape::Surface)
+  {
+    const double across = (1.0 - s) * this->acrossA + s * this->acrossB +
+      s * (1.0 - s) * this->acrossCorrection;
+    result.normal = this->z - slopeAlong(*this, s) * this->x - across * this->y;
+  }
+  else if (this->shape == Shape::Crease)
+  {
+    const Vec3 t = unitOrSame(this->derivative(s));
+    result.normal -= glm::dot(result.normal, t) * t;
+  }
+  return result;
+}
+
+CubicCurve EdgeCurve::arc(double from, double to) const
+{
+  const double span = to - from;
+  return CubicCurve::hermite(this->point(from), span * this->derivative(from), this->point(to),
+    span * this->derivative(to));
+}
+
+EdgeCurve makeEdgeCurve(const TriangleMesh& mesh, const EdgeTable& edges, Index edge)
+{
+  EdgeCurve curve;
+  curve.a = mesh.points[edges.edges[edge].a];
+  curve.b = mesh.points[edges.edges[edge].b];
+  const std::vector<SideNormals> normals = distinctNormals(mesh, edges, edge);
+  if (normals.size() == 1)
+  {
+    shapeSurface(mesh, edges, edge, normals[0], curve);
+  }
+  else
+  {
+    shapeCrease(mesh, normals, curve);
+  }
+  return curve;
+}
+
+double linearCrossing(double fieldA, double fieldB)
+{
+  const double s = fieldA / (fieldA - fieldB);
+  return s >= 0.0 && s <= 1.0 ? s : 0.5;
+}
+
+double solveCrossing(const EdgeCurve& curve, const Vec3& normalA, const Vec3& normalB,
+  double fieldA, double fieldB, const Light& light)
+{
+  if (curve.shape == EdgeCurve::Shape::Straight)
+  {
+    return linearCrossing(fieldA, fieldB);
+  }
+  // On a Surface the normals along the curve have length 1 along z: the ends' fields likewise.
+  const bool surface = curve.shape == EdgeCurve::Shape::Surface;
+  double s0 = 0.0;
+  double s1 = 1.0;
+  double f0 = surface ? fieldA / glm::dot(normalA, curve.z) : fieldA;
+  double f1 = surface ? fieldB / glm::dot(normalB, curve.z) : fieldB;
+  double s = linearCrossing(f0, f1);
+  // Regula falsi; where one end stays twice its value is halved, so that it moves as well.
+  int stayed = 0;
+  for (int step = 0; step < 12; ++step)
+  {
+    const EdgeCurve::Sample q = curve.sample(s, normalA, normalB);
+    const double f = glm::dot(q.normal, light.toward(q.point));
+    const bool replacesFirst = isLit(f) == isLit(fieldA);
+    if (replacesFirst)
+    {
+      s0 = s;
+      f0 = f;
+      f1 = stayed == 1 ? 0.5 * f1 : f1;
+      stayed = 1;
+    }
+    else
+    {
+      s1 = s;
+      f1 = f;
+      f0 = stayed == -1 ? 0.5 * f0 : f0;
+      stayed = -1;
+    }
+    const double nextS = s0 + (s1 - s0) * linearCrossing(f0, f1);
+    const double moved = std::fabs(nextS - s);
+    s = nextS;
+    if (f == 0.0 || moved < 1e-14)
+    {
+      break;
+    }
+  }
+  return s;
+}
+}

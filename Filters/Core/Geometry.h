@@ -1,0 +1,87 @@
+/// The core's vocabulary: vectors in double, the light, and the arrays of a mesh.
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace shadow
+{
+using Vec3 = glm::dvec3;
+using Vec4 = glm::dvec4;
+using Index = std::uint32_t;
+
+/// No index: the value of an Index that refers to nothing.
+constexpr Index None = std::numeric_limits<Index>::max();
+
+inline bool isFinite(const Vec3& v)
+{
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// The vector of unit length, or the vector itself where its length is zero or no number.
+inline Vec3 unitOrSame(const Vec3& v)
+{
+  const double length = glm::length(v);
+  return length > 0.0 && std::isfinite(length) ? v / length : v;
+}
+
+/// A light, homogeneous with w >= 0: a point for w > 0, at position / w; for w = 0 the direction
+/// towards a light at infinity.
+struct Light
+{
+  Vec3 position{ 0.0, 0.0, 1.0 };
+  double w = 0.0;
+
+  bool isDirectional() const { return this->w == 0.0; }
+
+  /// From a point towards the light, not normalised.
+  Vec3 toward(const Vec3& point) const { return this->position - this->w * point; }
+
+  /// Where a point's shadow ends at infinity: a homogeneous point with w = 0.
+  Vec4 extrude(const Vec3& point) const { return Vec4(-this->toward(point), 0.0); }
+
+  bool operator==(const Light& o) const { return position == o.position && w == o.w; }
+};
+
+/// Lit means a field of at least zero; a field that is no number is dark. Every topological
+/// decision follows from this one rule, taken once a corner or a face and never once an edge.
+inline bool isLit(double field)
+{
+  return field >= 0.0;
+}
+
+using Triangle = std::array<Index, 3>;
+
+/// Triangles over distinct vertices. Each corner has a normal of its own; corners at one vertex
+/// that share their normal share its number.
+struct TriangleMesh
+{
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;     ///< vertex of each corner; three distinct ones
+  std::vector<Vec3> normals;           ///< unit length, or zero where none is known
+  std::vector<Index> normalVertex;     ///< the vertex at which each normal is
+  std::vector<Triangle> cornerNormals; ///< normal of each corner
+
+  /// Normal of a triangle by its winding, twice its area long.
+  Vec3 areaNormal(Index triangle) const
+  {
+    const Triangle& t = this->triangles[triangle];
+    const Vec3& origin = this->points[t[0]];
+    return glm::cross(this->points[t[1]] - origin, this->points[t[2]] - origin);
+  }
+};
+
+/// The next corner of a triangle, counter-clockwise; side k runs from corner k to corner next(k).
+constexpr unsigned next(unsigned corner)
+{
+  return corner == 2 ? 0 : corner + 1;
+}
+}

@@ -1,0 +1,342 @@
+#include "ShadowVolume.h"
+
+#include "VolumeCaps.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace shadow
+{
+namespace
+{
+/// A stretch of a loop between two nodes, as places in loopPoints; `end` is the second node's
+/// place, which for a loop's last stretch is the loop's first place.
+struct Stretch
+{
+  std::size_t begin;
+  std::size_t innerEnd; ///< end of the points between, from begin + 1
+  std::size_t end;
+};
+
+template <class Visit>
+void forEachStretch(const SilhouetteInput& s, std::size_t loop, const Visit& visit)
+{
+  const std::size_t begin = s.first[loop];
+  const std::size_t end = s.first[loop + 1];
+  for (std::size_t at = begin; at < end;)
+  {
+    std::size_t to = at + 1;
+    while (to < end && s.nodes[s.loopPoints[to]] == None)
+    {
+      ++to;
+    }
+    visit(Stretch{ at, to, to < end ? to : begin });
+    at = to;
+  }
+}
+
+class VolumeBuilder
+{
+public:
+  VolumeBuilder(
+    const Caster& caster, const SilhouetteChain& chain, const SilhouetteInput& silhouette)
+    : TheCaster(caster)
+    , Chain(chain)
+    , Silhouette(silhouette)
+    , VertexCount(caster.mesh().points.size())
+  {
+  }
+
+  ShadowVolume build(Caps caps)
+  {
+    this->placeMeshPoints();
+    this->placeSilhouettePoints();
+    if (caps != Caps::None)
+    {
+      addCaps(this->TheCaster, this->Chain,
+        caps == Caps::Lit ? CapSide::Lit : CapSide::Dark, this->Volume.triangles);
+    }
+    for (std::size_t loop = 0; loop < this->Silhouette.multiplicity.size(); ++loop)
+    {
+      forEachStretch(this->Silhouette, loop,
+        [&](const Stretch& s) { this->addGap(s, this->Silhouette.multiplicity[loop]); });
+    }
+    const std::size_t nearEnd = this->Volume.triangles.size();
+    this->Volume.firstInfinite = this->Volume.points.size();
+    this->Extruded.assign(this->Volume.points.size(), None);
+    for (std::size_t loop = 0; loop < this->Silhouette.multiplicity.size(); ++loop)
+    {
+      this->addWalls(loop);
+    }
+    if (caps != Caps::None && !this->Chain.light.isDirectional())
+    {
+      this->lightIsOutside() ? this->addFarFan() : this->projectNearCap(nearEnd);
+    }
+    return std::move(this->Volume);
+  }
+
+private:
+  /// Vertices and crossings keep their node numbers.
+  void placeMeshPoints()
+  {
+    std::vector<Vec4>& points = this->Volume.points;
+    points.reserve(this->VertexCount + 2 * this->Chain.crossings.size() +
+      2 * this->Silhouette.points.size());
+    for (const Vec3& p : this->TheCaster.mesh().points)
+    {
+      points.emplace_back(p, 1.0);
+    }
+    for (const Crossing& c : this->Chain.crossings)
+    {
+      points.emplace_back(c.meshPoint, 1.0);
+    }
+  }
+
+  /// A crossing off the mesh, and each point between nodes, gets a point of its own.
+  void placeSilhouettePoints()
+  {
+    const bool smooth = this->Chain.kind == SilhouetteKind::Smooth;
+    std::vector<Index> smoothCrossing(this->Chain.crossings.size(), None);
+    this->Placed.resize(this->Silhouette.points.size());
+    for (std::size_t i = 0; i < this->Silhouette.points.size(); ++i)
+    {
+      const Index node = this->Silhouette.nodes[i];
+      const bool onMesh = node != None && (node < this->VertexCount || !smooth);
+      Index* known = node != None && !onMesh ? &smoothCrossing[node - this->VertexCount] : nullptr;
+      if (onMesh)
+      {
+        this->Placed[i] = node;
+      }
+      else if (known && *known != None)
+      {
+        this->Placed[i] = *known;
+      }
+      else
+      {
+        this->Placed[i] = static_cast<Index>(this->Volume.points.size());
+        this->Volume.points.emplace_back(this->Silhouette.points[i], 1.0);
+        if (known)
+        {
+          *known = this->Placed[i];
+        }
+      }
+    }
+  }
+
+  Index placed(std::size_t place) const
+  {
+    return this->Placed[this->Silhouette.loopPoints[place]];
+  }
+
+  Index nodeAt(std::size_t place) const
+  {
+    return this->Silhouette.nodes[this->Silhouette.loopPoints[place]];
+  }
+
+  void add(Index p, Index q, Index r, VolumePart part, int multiplicity)
+  {
+    if (p != q && q != r && r != p)
+    {
+      this->Volume.triangles.push_back({ { p, q, r }, part, multiplicity });
+    }
+  }
+
+  /// Two fans, from the mesh's points of the stretch's ends, which meet at its middle point: no
+  /// T-junctions with the neighbours.
+  void addGap(const Stretch& s, int multiplicity)
+  {
+    const Index meshFrom = this->nodeAt(s.begin);
+    const Index meshTo = this->nodeAt(s.end);
+    const std::size_t segments = s.innerEnd - s.begin;
+    const auto at = [&](std::size_t i)
+    { return i < segments ? this->placed(s.begin + i) : this->placed(s.end); };
+    const std::size_t middle = (segments + 1) / 2;
+    for (std::size_t i = 0; i < segments; ++i)
+    {
+      this->add(i < middle ? meshFrom : meshTo, at(i), at(i + 1), VolumePart::Gap, multiplicity);
+    }
+    this->add(meshFrom, at(middle), meshTo, VolumePart::Gap, multiplicity);
+  }
+
+  Index addInfinite(const Vec4& point, Index origin)
+  {
+    this->Volume.points.push_back(point);
+    this->Volume.origin.push_back(origin);
+    return static_cast<Index>(this->Volume.points.size() - 1);
+  }
+
+  /// Where a point's shadow ends.
+  Index extruded(Index point)
+  {
+    if (this->Chain.light.isDirectional())
+    {
+      if (this->Apex == None)
+      {
+        this->Apex = this->addInfinite(this->Chain.light.extrude(Vec3(0.0)), None);
+      }
+      return this->Apex;
+    }
+    if (this->Extruded[point] == None)
+    {
+      const Vec4 end = this->Chain.light.extrude(Vec3(this->Volume.points[point]));
+      this->Extruded[point] =
+        this->addInfinite(end == Vec4(0.0) ? this->awayFromSurface(point) : end, point);
+    }
+    return this->Extruded[point];
+  }
+
+  /// The direction of a shadow whose light is on the vertex itself: the light is taken to be just
+  /// above the surface, as the rule takes it that calls a field of zero lit.
+  Vec4 awayFromSurface(Index vertex) const
+  {
+    const TriangleMesh& mesh = this->TheCaster.mesh();
+    for (std::size_t n = 0; n < mesh.normals.size(); ++n)
+    {
+      if (mesh.normalVertex[n] == vertex && mesh.normals[n] != Vec3(0.0))
+      {
+        return Vec4(-mesh.normals[n], 0.0);
+      }
+    }
+    return Vec4(0.0, 0.0, -1.0, 0.0);
+  }
+
+  void addWalls(std::size_t loop)
+  {
+    const std::size_t begin = this->Silhouette.first[loop];
+    const std::size_t end = this->Silhouette.first[loop + 1];
+    const int multiplicity = this->Silhouette.multiplicity[loop];
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const Index p = this->placed(i);
+      const Index q = this->placed(i + 1 < end ? i + 1 : begin);
+      if (p == q)
+      {
+        continue;
+      }
+      const Index farP = this->extruded(p);
+      const Index farQ = this->extruded(q);
+      this->add(q, p, farP, VolumePart::Wall, multiplicity);
+      this->add(q, farP, farQ, VolumePart::Wall, multiplicity);
+    }
+  }
+
+  /// From outside the ball all its points are seen within less than a half space, so a fan at
+  /// infinity is the same chain as the projected cap.
+  bool lightIsOutside() const
+  {
+    const Vec3 away = this->Chain.light.toward(this->TheCaster.centre());
+    return glm::length(away) > 1.001 * this->Chain.light.w * this->TheCaster.radius();
+  }
+
+  void addFarFan()
+  {
+    const Index apex =
+      this->addInfinite(this->Chain.light.extrude(this->TheCaster.centre()), None);
+    for (std::size_t loop = 0; loop < this->Silhouette.multiplicity.size(); ++loop)
+    {
+      const std::size_t begin = this->Silhouette.first[loop];
+      const std::size_t end = this->Silhouette.first[loop + 1];
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Index p = this->placed(i);
+        const Index q = this->placed(i + 1 < end ? i + 1 : begin);
+        if (p != q)
+        {
+          this->add(apex, this->extruded(q), this->extruded(p), VolumePart::FarCap,
+            this->Silhouette.multiplicity[loop]);
+        }
+      }
+    }
+  }
+
+  void projectNearCap(std::size_t nearEnd)
+  {
+    for (std::size_t i = 0; i < nearEnd; ++i)
+    {
+      const VolumeTriangle t = this->Volume.triangles[i];
+      this->add(this->extruded(t.points[2]), this->extruded(t.points[1]),
+        this->extruded(t.points[0]), VolumePart::FarCap, t.multiplicity);
+    }
+  }
+
+  const Caster& TheCaster;
+  const SilhouetteChain& Chain;
+  const SilhouetteInput& Silhouette;
+  const std::size_t VertexCount;
+  ShadowVolume Volume;
+  std::vector<Index> Placed;   ///< the volume's point for each point of the silhouette
+  std::vector<Index> Extruded; ///< the point at infinity of each finite one
+  Index Apex = None;
+};
+
+/// From, to and multiplicity of a piece, summed over equal ones.
+using Count = std::tuple<Index, Index, int>;
+
+std::vector<Count> summed(std::vector<Count> counts)
+{
+  std::sort(counts.begin(), counts.end());
+  std::vector<Count> sums;
+  for (const auto& [from, to, multiplicity] : counts)
+  {
+    if (!sums.empty() && std::get<0>(sums.back()) == from && std::get<1>(sums.back()) == to)
+    {
+      std::get<2>(sums.back()) += multiplicity;
+    }
+    else
+    {
+      sums.emplace_back(from, to, multiplicity);
+    }
+  }
+  return sums;
+}
+}
+
+bool matches(const SilhouetteInput& silhouette, const Caster& caster, const SilhouetteChain& chain)
+{
+  const std::vector<Vec3>& vertices = caster.mesh().points;
+  for (std::size_t i = 0; i < silhouette.nodes.size(); ++i)
+  {
+    const Index node = silhouette.nodes[i];
+    if (node == None)
+    {
+      continue;
+    }
+    if (node >= vertices.size() + chain.crossings.size())
+    {
+      return false;
+    }
+    const Vec3& place =
+      node < vertices.size() ? vertices[node] : chain.crossings[node - vertices.size()].meshPoint;
+    if (place != silhouette.meshPoints[i])
+    {
+      return false;
+    }
+  }
+  std::vector<Count> given;
+  for (std::size_t loop = 0; loop < silhouette.multiplicity.size(); ++loop)
+  {
+    if (silhouette.nodes[silhouette.loopPoints[silhouette.first[loop]]] == None)
+    {
+      return false;
+    }
+    forEachStretch(silhouette, loop,
+      [&](const Stretch& s)
+      {
+        given.emplace_back(silhouette.nodes[silhouette.loopPoints[s.begin]],
+          silhouette.nodes[silhouette.loopPoints[s.end]], silhouette.multiplicity[loop]);
+      });
+  }
+  std::vector<Count> expected;
+  for (const Piece& p : chain.pieces)
+  {
+    expected.emplace_back(p.from, p.to, p.multiplicity);
+  }
+  return summed(std::move(given)) == summed(std::move(expected));
+}
+
+ShadowVolume extrude(const Caster& caster, const SilhouetteChain& chain,
+  const SilhouetteInput& silhouette, Caps caps)
+{
+  return VolumeBuilder(caster, chain, silhouette).build(caps);
+}
+}

@@ -1,0 +1,66 @@
+/// The shadow volume of a caster: caps, gaps, walls and far cap as one closed chain of triangles.
+#pragma once
+
+#include "Caster.h"
+
+namespace shadow
+{
+/// A silhouette as polylines: what a silhouette filter gave.
+struct SilhouetteInput
+{
+  std::vector<Vec3> points;
+  std::vector<Vec3> meshPoints;
+  std::vector<Index> nodes;       ///< node of each point, None between nodes
+  std::vector<Index> loopPoints;  ///< points of the loops, loop after loop, the first not repeated
+  std::vector<std::size_t> first; ///< where each loop begins, and the end
+  std::vector<int> multiplicity;  ///< of each loop
+};
+
+/// Whether the polylines are the silhouette that the chain describes: the same nodes at the same
+/// places on the mesh, joined by the same pieces.
+bool matches(const SilhouetteInput& silhouette, const Caster& caster, const SilhouetteChain& chain);
+
+enum class VolumePart : std::uint8_t
+{
+  Cap,
+  Gap,
+  Wall,
+  FarCap
+};
+
+struct VolumeTriangle
+{
+  Triangle points;
+  VolumePart part;
+  int multiplicity; ///< at least 1
+};
+
+struct ShadowVolume
+{
+  std::vector<Vec4> points; ///< homogeneous, w = 1, or w = 0 at infinity
+  std::vector<VolumeTriangle> triangles;
+  /// For each point at infinity the finite point whose shadow ends there; None for those that
+  /// belong to no single one. firstInfinite + i is the point of origin[i].
+  std::size_t firstInfinite = 0;
+  std::vector<Index> origin;
+};
+
+/// What the near cap is made of.
+enum class Caps
+{
+  None,
+  Lit,
+  Dark
+};
+
+/// Extrudes to infinity. The silhouette must match the chain. The sum of all directed edges, with
+/// multiplicity, is zero unless caps are left out.
+///
+/// Gap triangles fill what is between a smooth silhouette and the mesh. Walls are quads to
+/// infinity for a point light and triangles for a directional one, all of whose shadows end at
+/// one point there; only a point light has a far cap. With the light outside the ball around the
+/// caster this is a fan at infinity, otherwise all of the near cap is projected there: then it
+/// covers the sphere at infinity as often as the light is enclosed by the caster.
+ShadowVolume extrude(const Caster& caster, const SilhouetteChain& chain,
+  const SilhouetteInput& silhouette, Caps caps);
+}

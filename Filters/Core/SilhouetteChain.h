@@ -1,0 +1,64 @@
+/// The silhouette as the boundary of the lit chain: nodes, pieces between them, multiplicities.
+#pragma once
+
+#include "CasterEdges.h"
+#include "CubicCurve.h"
+#include "SilhouetteSearch.h"
+
+namespace shadow
+{
+enum class SilhouetteKind
+{
+  Discrete, ///< edges between lit and dark faces
+  Accurate, ///< zero set of the field that is linear on edges
+  Smooth    ///< the accurate one, on the smooth surface
+};
+
+/// Where the field of one side, or of several with the same normals, changes sign on an edge.
+struct Crossing
+{
+  Index edge;
+  SideNormals normals; ///< of the sides that cross here
+  double parameter;    ///< along the edge from a to b
+  Vec3 meshPoint;      ///< on the mesh
+  Vec3 point;          ///< on the smooth surface; the mesh point for an accurate silhouette
+  Vec3 normal;         ///< unit normal at point
+};
+
+/// A directed piece of the silhouette between two nodes. Nodes are numbered: first the vertices
+/// of the mesh, then the crossings.
+struct Piece
+{
+  Index from;
+  Index to;
+  Index source;     ///< the triangle that a chord crosses, or the edge of a link
+  bool isChord;     ///< crosses a triangle; otherwise runs along an edge
+  int multiplicity; ///< at least 1
+};
+
+/// Immutable once built.
+struct SilhouetteChain
+{
+  Light light;
+  SilhouetteKind kind = SilhouetteKind::Smooth;
+  LightField field;
+  std::vector<Index> crossedEdges;  ///< ascending
+  std::vector<Index> firstCrossing; ///< of each crossed edge, and the end
+  std::vector<Crossing> crossings;  ///< of each crossed edge in order of parameter
+  std::vector<Piece> pieces;
+  std::vector<CubicCurve> curves;   ///< Smooth: the curve of each piece
+
+  /// First and end of the crossings on an edge; empty if it has none.
+  std::pair<Index, Index> crossingsOn(Index edge) const;
+
+  /// The crossing on an edge that belongs to a side with these normals, or None.
+  Index crossingOf(Index edge, const SideNormals& normals) const;
+};
+
+class Caster;
+
+/// Builds the chain of a light. O(triangles + edges) for the search, the rest in proportion to
+/// the silhouette. Same result for every loop.
+SilhouetteChain buildSilhouetteChain(
+  Caster& caster, const Light& light, SilhouetteKind kind, const RangeLoop& loop);
+}

@@ -1,0 +1,133 @@
+#include "VolumeCaps.h"
+
+namespace shadow
+{
+namespace
+{
+class CapBuilder
+{
+public:
+  CapBuilder(const Caster& caster, const SilhouetteChain& chain, CapSide side,
+    std::vector<VolumeTriangle>& triangles)
+    : TheCaster(caster)
+    , Mesh(caster.mesh())
+    , Edges(caster.edges())
+    , Chain(chain)
+    , Which(side)
+    , Triangles(triangles)
+  {
+  }
+
+  void build()
+  {
+    const std::vector<bool> crossed = this->trianglesAtCrossedEdges();
+    for (std::size_t i = 0; i < this->Mesh.triangles.size(); ++i)
+    {
+      const Index t = static_cast<Index>(i);
+      const ChainWeight weight =
+        this->TheCaster.weights().cap(this->Chain.field.kind, this->Which, t);
+      if (!crossed[t])
+      {
+        this->addTriangle(this->Mesh.triangles[t], weight.of(this->litAt(t, 0)));
+        continue;
+      }
+      for (const bool lit : { true, false })
+      {
+        if (weight.of(lit) != 0)
+        {
+          this->addPolygon(this->polygonOf(t, lit), weight.of(lit));
+        }
+      }
+    }
+  }
+
+private:
+  bool litAt(Index t, unsigned corner) const
+  {
+    return this->Chain.field.lit(
+      this->Chain.field.kind == FieldKind::Face ? t : this->Mesh.cornerNormals[t][corner]);
+  }
+
+  std::vector<bool> trianglesAtCrossedEdges() const
+  {
+    std::vector<bool> crossed(this->Mesh.triangles.size(), false);
+    for (const Index e : this->Chain.crossedEdges)
+    {
+      for (Index i = this->Edges.firstSide[e]; i < this->Edges.firstSide[e + 1]; ++i)
+      {
+        crossed[this->Edges.sides[i] / 3] = true;
+      }
+    }
+    return crossed;
+  }
+
+  /// The lit or the dark part of a triangle, counter-clockwise, with every crossing on its edges,
+  /// those of the other sides too, so that neighbours share all points.
+  std::vector<Index> polygonOf(Index t, bool lit) const
+  {
+    std::vector<Index> polygon;
+    for (unsigned k = 0; k < 3; ++k)
+    {
+      if (this->litAt(t, k) == lit)
+      {
+        polygon.push_back(this->Mesh.triangles[t][k]);
+      }
+      this->appendCrossings(t, k, lit, polygon);
+    }
+    return polygon;
+  }
+
+  void appendCrossings(Index t, unsigned k, bool lit, std::vector<Index>& polygon) const
+  {
+    const Index e = this->Edges.triangleEdges[t][k];
+    const Side side = 3 * t + k;
+    const auto [first, end] = this->Chain.crossingsOn(e);
+    const Index own =
+      this->Chain.crossingOf(e, sideNormals(this->Mesh, this->Edges, e, side));
+    const bool forward = sideSign(this->Mesh, this->Edges, e, side) > 0;
+    bool inside = this->litAt(t, k) == lit;
+    for (Index i = first; i < end; ++i)
+    {
+      const Index c = forward ? i : first + (end - 1 - i);
+      if (inside || c == own)
+      {
+        polygon.push_back(static_cast<Index>(this->Mesh.points.size()) + c);
+      }
+      inside = inside != (c == own);
+    }
+  }
+
+  void addPolygon(const std::vector<Index>& polygon, int weight)
+  {
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+    {
+      this->addTriangle({ polygon[0], polygon[i - 1], polygon[i] }, weight);
+    }
+  }
+
+  /// A weight of -1 turns the triangle's winding around. The first corner stays the first, as the
+  /// mesh has it, so that rasterisers that interpolate from it give the same depth.
+  void addTriangle(const Triangle& t, int weight)
+  {
+    if (weight != 0)
+    {
+      this->Triangles.push_back(
+        { weight > 0 ? t : Triangle{ t[0], t[2], t[1] }, VolumePart::Cap, 1 });
+    }
+  }
+
+  const Caster& TheCaster;
+  const TriangleMesh& Mesh;
+  const EdgeTable& Edges;
+  const SilhouetteChain& Chain;
+  const CapSide Which;
+  std::vector<VolumeTriangle>& Triangles;
+};
+}
+
+void addCaps(const Caster& caster, const SilhouetteChain& chain, CapSide side,
+  std::vector<VolumeTriangle>& triangles)
+{
+  CapBuilder(caster, chain, side, triangles).build();
+}
+}

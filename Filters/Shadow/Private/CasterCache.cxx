@@ -1,0 +1,60 @@
+#include "CasterCache.h"
+
+#include "PolyDataBridge.h"
+
+#include "vtkMath.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+namespace
+{
+// A mesh is known by its address and its time of modification. Times are never given twice in a
+// process, so a new mesh at an old address is not taken for the old one.
+struct Entry
+{
+  vtkPolyData* mesh;
+  vtkMTimeType time;
+  CasterSettings settings;
+  std::weak_ptr<PreparedCaster> prepared;
+};
+
+std::mutex registryGuard;
+
+std::vector<Entry>& registry()
+{
+  static std::vector<Entry> entries;
+  return entries;
+}
+
+std::shared_ptr<PreparedCaster> prepare(vtkPolyData* mesh, const CasterSettings& settings)
+{
+  BridgedMesh read = readMesh(mesh, settings.mergePoints);
+  auto prepared = std::make_shared<PreparedCaster>(
+    std::move(read.mesh), vtkMath::RadiansFromDegrees(settings.featureAngle));
+  prepared->degenerateCells = read.degenerateCells;
+  prepared->nonFiniteCells = read.nonFiniteCells;
+  return prepared;
+}
+}
+
+PreparedCaster& CasterCache::get(vtkPolyData* mesh, const CasterSettings& settings)
+{
+  const vtkMTimeType time = mesh->GetMTime();
+  const std::lock_guard<std::mutex> lock(registryGuard);
+  std::vector<Entry>& entries = registry();
+  const auto found = std::find_if(entries.begin(), entries.end(),
+    [&](const Entry& e) { return e.mesh == mesh && e.time == time && e.settings == settings; });
+  std::shared_ptr<PreparedCaster> prepared =
+    found != entries.end() ? found->prepared.lock() : nullptr;
+  if (!prepared)
+  {
+    prepared = prepare(mesh, settings);
+    entries.push_back({ mesh, time, settings, prepared });
+  }
+  this->Held = std::move(prepared);
+  entries.erase(std::remove_if(entries.begin(), entries.end(),
+                  [](const Entry& e) { return e.prepared.expired(); }),
+    entries.end());
+  return *this->Held;
+}

@@ -1,0 +1,48 @@
+// What does not depend on the light, kept for as long as a mesh is not modified.
+#ifndef CasterCache_h
+#define CasterCache_h
+
+#include "Caster.h"
+
+#include "vtkType.h"
+
+class vtkPolyData;
+
+// How a mesh is read.
+struct CasterSettings
+{
+  bool mergePoints = true;
+  double featureAngle = 60.0; // degrees
+
+  bool operator==(const CasterSettings& o) const
+  {
+    return this->mergePoints == o.mergePoints && this->featureAngle == o.featureAngle;
+  }
+};
+
+// A caster and what was left out when its mesh was read.
+struct PreparedCaster
+{
+  PreparedCaster(shadow::TriangleMesh mesh, double featureAngle)
+    : caster(std::move(mesh), featureAngle)
+  {
+  }
+
+  shadow::Caster caster;
+  vtkIdType degenerateCells = 0;
+  vtkIdType nonFiniteCells = 0;
+};
+
+// Holds one filter's caster. Filters of one process that read the same mesh with the same settings
+// share theirs: a silhouette filter and the extruder after it prepare the mesh once.
+class CasterCache
+{
+public:
+  // Prepares the mesh unless this or another filter holds it as it is now.
+  PreparedCaster& get(vtkPolyData* mesh, const CasterSettings& settings);
+
+private:
+  std::shared_ptr<PreparedCaster> Held;
+};
+
+#endif

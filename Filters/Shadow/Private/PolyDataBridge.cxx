@@ -1,0 +1,264 @@
+#include "PolyDataBridge.h"
+
+#include "VertexWelding.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolygon.h"
+#include "vtkSmartPointer.h"
+
+#include <cmath>
+
+namespace
+{
+using PointTriangle = std::array<vtkIdType, 3>;
+
+std::vector<shadow::Vec3> readVectors(vtkDataArray* array)
+{
+  std::vector<shadow::Vec3> vectors(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+  {
+    array->GetTuple(static_cast<vtkIdType>(i), &vectors[i].x);
+  }
+  return vectors;
+}
+
+// The triangles of all cells, over the input's points.
+class TriangleReader
+{
+public:
+  TriangleReader(vtkPolyData* input, const std::vector<shadow::Vec3>& points, BridgedMesh& result)
+    : Input(input)
+    , Points(points)
+    , Result(result)
+  {
+  }
+
+  std::vector<PointTriangle> read()
+  {
+    this->forEachCell(this->Input->GetPolys(),
+      [this](vtkIdType count, const vtkIdType* ids) { this->addPolygon(count, ids); });
+    this->forEachCell(this->Input->GetStrips(),
+      [this](vtkIdType count, const vtkIdType* ids) { this->addStrip(count, ids); });
+    return std::move(this->Triangles);
+  }
+
+private:
+  template <class Visit>
+  void forEachCell(vtkCellArray* cells, const Visit& visit)
+  {
+    if (!cells)
+    {
+      return;
+    }
+    auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+    for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+    {
+      vtkIdType count;
+      const vtkIdType* ids;
+      cell->GetCurrentCell(count, ids);
+      if (this->isUsable(count, ids))
+      {
+        visit(count, ids);
+      }
+    }
+  }
+
+  bool isUsable(vtkIdType count, const vtkIdType* ids)
+  {
+    if (count < 3)
+    {
+      ++this->Result.degenerateCells;
+      return false;
+    }
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      const bool exists = ids[i] >= 0 && static_cast<std::size_t>(ids[i]) < this->Points.size();
+      if (!exists || !shadow::isFinite(this->Points[static_cast<std::size_t>(ids[i])]))
+      {
+        ++this->Result.nonFiniteCells;
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void addPolygon(vtkIdType count, const vtkIdType* ids)
+  {
+    if (count == 3)
+    {
+      this->Triangles.push_back({ ids[0], ids[1], ids[2] });
+      return;
+    }
+    this->Polygon->PointIds->SetNumberOfIds(count);
+    this->Polygon->Points->SetNumberOfPoints(count);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      this->Polygon->PointIds->SetId(i, ids[i]);
+      this->Polygon->Points->SetPoint(i, &this->Points[static_cast<std::size_t>(ids[i])].x);
+    }
+    if (this->Polygon->Triangulate(this->Corners))
+    {
+      for (vtkIdType i = 0; i + 2 < this->Corners->GetNumberOfIds(); i += 3)
+      {
+        this->Triangles.push_back({ ids[this->Corners->GetId(i)],
+          ids[this->Corners->GetId(i + 1)], ids[this->Corners->GetId(i + 2)] });
+      }
+      return;
+    }
+    // Ear cutting gives up on polygons that cross themselves or have no area. A fan has the same
+    // boundary, so a closed mesh stays closed.
+    for (vtkIdType i = 2; i < count; ++i)
+    {
+      this->Triangles.push_back({ ids[0], ids[i - 1], ids[i] });
+    }
+  }
+
+  void addStrip(vtkIdType count, const vtkIdType* ids)
+  {
+    for (vtkIdType i = 2; i < count; ++i)
+    {
+      const bool odd = i % 2 == 1;
+      this->Triangles.push_back({ ids[odd ? i - 1 : i - 2], ids[odd ? i - 2 : i - 1], ids[i] });
+    }
+  }
+
+  vtkPolyData* Input;
+  const std::vector<shadow::Vec3>& Points;
+  BridgedMesh& Result;
+  std::vector<PointTriangle> Triangles;
+  vtkNew<vtkPolygon> Polygon;
+  vtkNew<vtkIdList> Corners;
+};
+
+// The points that triangles use, in order of first use, and the place of each there.
+std::vector<vtkIdType> usedPoints(
+  const std::vector<PointTriangle>& triangles, std::vector<shadow::Index>& place)
+{
+  std::vector<vtkIdType> used;
+  for (const PointTriangle& t : triangles)
+  {
+    for (const vtkIdType id : t)
+    {
+      shadow::Index& p = place[static_cast<std::size_t>(id)];
+      if (p == shadow::None)
+      {
+        p = static_cast<shadow::Index>(used.size());
+        used.push_back(id);
+      }
+    }
+  }
+  return used;
+}
+
+std::vector<shadow::Vec3> gather(
+  const std::vector<shadow::Vec3>& vectors, const std::vector<vtkIdType>& ids)
+{
+  std::vector<shadow::Vec3> gathered;
+  gathered.reserve(ids.size());
+  for (const vtkIdType id : ids)
+  {
+    gathered.push_back(vectors[static_cast<std::size_t>(id)]);
+  }
+  return gathered;
+}
+
+shadow::Welding identity(std::size_t count)
+{
+  shadow::Welding welding;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    welding.target.push_back(static_cast<shadow::Index>(i));
+  }
+  welding.first = welding.target;
+  return welding;
+}
+
+shadow::Triangle mapped(const PointTriangle& t, const std::vector<shadow::Index>& place,
+  const std::vector<shadow::Index>& target)
+{
+  shadow::Triangle result;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    result[k] = target[place[static_cast<std::size_t>(t[k])]];
+  }
+  return result;
+}
+}
+
+BridgedMesh readMesh(vtkPolyData* input, bool mergePoints)
+{
+  BridgedMesh result;
+  shadow::TriangleMesh& mesh = result.mesh;
+  if (!input->GetPoints())
+  {
+    return result;
+  }
+  const std::vector<shadow::Vec3> allPoints = readVectors(input->GetPoints()->GetData());
+  const std::vector<PointTriangle> triangles =
+    TriangleReader(input, allPoints, result).read();
+  std::vector<shadow::Index> place(allPoints.size(), shadow::None);
+  const std::vector<vtkIdType> used = usedPoints(triangles, place);
+
+  const std::vector<shadow::Vec3> points = gather(allPoints, used);
+  const shadow::Welding vertices =
+    mergePoints ? shadow::weldPoints(points) : identity(points.size());
+  for (const shadow::Index i : vertices.first)
+  {
+    mesh.points.push_back(points[i]);
+  }
+
+  vtkDataArray* normalArray = input->GetPointData()->GetNormals();
+  const bool hasNormals = normalArray && normalArray->GetNumberOfComponents() == 3 &&
+    normalArray->GetNumberOfTuples() == input->GetNumberOfPoints();
+  shadow::Welding normals;
+  if (hasNormals)
+  {
+    const std::vector<shadow::Vec3> given = gather(readVectors(normalArray), used);
+    normals = shadow::weldNormals(given, vertices.target, mesh.points.size());
+    for (const shadow::Index i : normals.first)
+    {
+      mesh.normals.push_back(given[i]);
+      mesh.normalVertex.push_back(vertices.target[i]);
+    }
+  }
+  for (const PointTriangle& t : triangles)
+  {
+    const shadow::Triangle corners = mapped(t, place, vertices.target);
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
+    {
+      ++result.degenerateCells;
+      continue;
+    }
+    mesh.triangles.push_back(corners);
+    if (hasNormals)
+    {
+      mesh.cornerNormals.push_back(mapped(t, place, normals.target));
+    }
+  }
+  return result;
+}
+
+bool readLight(const double position[4], shadow::Light& light)
+{
+  bool isZero = true;
+  for (int i = 0; i < 4; ++i)
+  {
+    if (!std::isfinite(position[i]))
+    {
+      return false;
+    }
+    isZero = isZero && position[i] == 0.0;
+  }
+  const double sign = position[3] < 0.0 ? -1.0 : 1.0;
+  light.position = sign * shadow::Vec3(position[0], position[1], position[2]);
+  light.w = std::fabs(position[3]);
+  return !isZero;
+}

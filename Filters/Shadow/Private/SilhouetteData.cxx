@@ -1,0 +1,239 @@
+#include "SilhouetteData.h"
+
+#include "PolyDataBridge.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+namespace
+{
+enum LoopKind
+{
+  Contour = 0,
+  Crease = 1,
+  Border = 2,
+  Mixed = 3
+};
+
+vtkSmartPointer<vtkDoubleArray> vectorArray(
+  const char* name, const std::vector<shadow::Vec3>& vectors)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(vectors.size()));
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+  {
+    array->SetTuple(static_cast<vtkIdType>(i), &vectors[i].x);
+  }
+  return array;
+}
+
+template <class Array, class Value>
+void addField(vtkPolyData* output, const char* name, std::initializer_list<Value> values)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(values.size()));
+  array->SetNumberOfTuples(1);
+  int component = 0;
+  for (const Value& value : values)
+  {
+    array->SetTypedComponent(0, component++, value);
+  }
+  output->GetFieldData()->AddArray(array);
+}
+
+void addCount(vtkPolyData* output, const char* name, std::size_t count)
+{
+  addField<vtkIdTypeArray>(output, name, { static_cast<vtkIdType>(count) });
+}
+
+int pieceKind(const shadow::Caster& caster, const shadow::Piece& piece)
+{
+  if (piece.isChord)
+  {
+    return Contour;
+  }
+  switch (shadow::edgeKind(caster.mesh(), caster.edges(), piece.source))
+  {
+    case shadow::EdgeKind::Crease:
+      return Crease;
+    case shadow::EdgeKind::Border:
+      return Border;
+    default:
+      return Contour;
+  }
+}
+
+void writeLoops(const shadow::Caster& caster, const shadow::SilhouetteChain& chain,
+  const shadow::SilhouetteLoops& loops, const shadow::LoopPolylines& lines, vtkPolyData* output)
+{
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkIntArray> kinds;
+  kinds->SetName("Kind");
+  vtkNew<vtkIntArray> closed;
+  closed->SetName("Closed");
+  vtkNew<vtkIntArray> multiplicities;
+  multiplicities->SetName("Multiplicity");
+  for (std::size_t loop = 0; loop < loops.count(); ++loop)
+  {
+    const vtkIdType begin = static_cast<vtkIdType>(lines.first[loop]);
+    const vtkIdType end = static_cast<vtkIdType>(lines.first[loop + 1]);
+    cells->InsertNextCell(static_cast<int>(end - begin + 1));
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      cells->InsertCellPoint(i);
+    }
+    cells->InsertCellPoint(begin);
+    int kind = pieceKind(caster, chain.pieces[loops.pieces[loops.first[loop]]]);
+    for (std::size_t i = loops.first[loop]; i < loops.first[loop + 1]; ++i)
+    {
+      kind = kind == pieceKind(caster, chain.pieces[loops.pieces[i]]) ? kind : Mixed;
+    }
+    kinds->InsertNextValue(kind);
+    closed->InsertNextValue(1);
+    multiplicities->InsertNextValue(loops.multiplicity[loop]);
+  }
+  output->SetLines(cells);
+  output->GetCellData()->AddArray(kinds);
+  output->GetCellData()->AddArray(closed);
+  output->GetCellData()->AddArray(multiplicities);
+}
+
+void writeDiagnosis(const PreparedCaster& prepared, vtkPolyData* output)
+{
+  const shadow::EdgeDefects& defects = prepared.caster.defects();
+  addField<vtkIdTypeArray>(output, "DegenerateCells", { prepared.degenerateCells });
+  addField<vtkIdTypeArray>(output, "NonFiniteCells", { prepared.nonFiniteCells });
+  addCount(output, "BoundaryEdges", defects.boundary);
+  addCount(output, "NonManifoldEdges", defects.nonManifold);
+  addCount(output, "InconsistentEdges", defects.inconsistent);
+}
+
+double fieldValue(vtkPolyData* data, const char* name, int component, bool& found)
+{
+  vtkDataArray* array = data->GetFieldData()->GetArray(name);
+  if (!array || array->GetNumberOfTuples() * array->GetNumberOfComponents() <= component)
+  {
+    found = false;
+    return 0.0;
+  }
+  return array->GetVariantValue(component).ToDouble();
+}
+}
+
+void writeSilhouette(const PreparedCaster& prepared, const shadow::SilhouetteChain& chain,
+  const shadow::SilhouetteLoops& loops, const shadow::LoopPolylines& lines,
+  const SilhouetteSettings& settings, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetData(vectorArray("Points", lines.points));
+  output->SetPoints(points);
+  output->GetPointData()->SetNormals(vectorArray("Normals", lines.normals));
+  output->GetPointData()->AddArray(vectorArray("MeshPoints", lines.meshPoints));
+  vtkNew<vtkIdTypeArray> nodes;
+  nodes->SetName("MeshNodes");
+  for (const shadow::Index node : lines.nodes)
+  {
+    nodes->InsertNextValue(node == shadow::None ? -1 : static_cast<vtkIdType>(node));
+  }
+  output->GetPointData()->AddArray(nodes);
+  writeLoops(prepared.caster, chain, loops, lines, output);
+
+  const shadow::Vec3& l = settings.light.position;
+  addField<vtkDoubleArray>(output, "LightPosition", { l.x, l.y, l.z, settings.light.w });
+  addField<vtkDoubleArray>(output, "MaximumDeviation", { lines.maximumDeviation });
+  addField<vtkIntArray>(output, "SilhouetteKind", { static_cast<int>(settings.kind) });
+  addField<vtkIntArray>(output, "SearchComplete", { 1 });
+  addCount(output, "EdgesTested", prepared.caster.edges().edges.size());
+  addField<vtkIntArray>(output, "MergePoints", { static_cast<int>(settings.caster.mergePoints) });
+  addField<vtkDoubleArray>(output, "FeatureAngle", { settings.caster.featureAngle });
+  writeDiagnosis(prepared, output);
+}
+
+bool readSettings(vtkPolyData* data, SilhouetteSettings& settings)
+{
+  bool found = true;
+  double light[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    light[i] = fieldValue(data, "LightPosition", i, found);
+  }
+  const int kind = static_cast<int>(fieldValue(data, "SilhouetteKind", 0, found));
+  settings.caster.mergePoints = fieldValue(data, "MergePoints", 0, found) != 0.0;
+  settings.caster.featureAngle = fieldValue(data, "FeatureAngle", 0, found);
+  settings.kind = static_cast<shadow::SilhouetteKind>(kind);
+  return found && kind >= 0 && kind <= static_cast<int>(shadow::SilhouetteKind::Smooth) &&
+    readLight(light, settings.light);
+}
+
+bool readSilhouette(vtkPolyData* data, shadow::SilhouetteInput& silhouette)
+{
+  silhouette.first.push_back(0);
+  const vtkIdType count = data->GetNumberOfPoints();
+  if (count == 0)
+  {
+    return true;
+  }
+  vtkDataArray* nodes = data->GetPointData()->GetArray("MeshNodes");
+  vtkDataArray* meshPoints = data->GetPointData()->GetArray("MeshPoints");
+  vtkDataArray* multiplicity = data->GetCellData()->GetArray("Multiplicity");
+  if (!nodes || !meshPoints || !multiplicity || meshPoints->GetNumberOfComponents() != 3 ||
+    multiplicity->GetNumberOfTuples() != data->GetLines()->GetNumberOfCells())
+  {
+    return false;
+  }
+  silhouette.points.resize(static_cast<std::size_t>(count));
+  silhouette.meshPoints.resize(silhouette.points.size());
+  silhouette.nodes.resize(silhouette.points.size());
+  for (std::size_t i = 0; i < silhouette.points.size(); ++i)
+  {
+    const vtkIdType id = static_cast<vtkIdType>(i);
+    data->GetPoint(id, &silhouette.points[i].x);
+    meshPoints->GetTuple(id, &silhouette.meshPoints[i].x);
+    const double node = nodes->GetComponent(id, 0);
+    silhouette.nodes[i] = node < 0.0 ? shadow::None : static_cast<shadow::Index>(node);
+  }
+  for (vtkIdType cell = 0; cell < data->GetLines()->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    data->GetLines()->GetCellAtId(cell, size, ids);
+    if (size < 3 || ids[0] != ids[size - 1])
+    {
+      return false;
+    }
+    for (vtkIdType i = 0; i + 1 < size; ++i)
+    {
+      silhouette.loopPoints.push_back(static_cast<shadow::Index>(ids[i]));
+    }
+    silhouette.first.push_back(silhouette.loopPoints.size());
+    silhouette.multiplicity.push_back(static_cast<int>(multiplicity->GetComponent(cell, 0)));
+  }
+  return true;
+}
+
+shadow::SilhouetteInput toInput(
+  const shadow::SilhouetteLoops& loops, const shadow::LoopPolylines& lines)
+{
+  shadow::SilhouetteInput input;
+  input.points = lines.points;
+  input.meshPoints = lines.meshPoints;
+  input.nodes = lines.nodes;
+  input.first = lines.first;
+  input.multiplicity = loops.multiplicity;
+  for (std::size_t i = 0; i < lines.points.size(); ++i)
+  {
+    input.loopPoints.push_back(static_cast<shadow::Index>(i));
+  }
+  return input;
+}

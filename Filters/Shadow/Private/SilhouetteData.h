@@ -1,0 +1,32 @@
+// A silhouette as vtkPolyData: written by the silhouette filter, read by the extruder.
+#ifndef SilhouetteData_h
+#define SilhouetteData_h
+
+#include "CasterCache.h"
+#include "LoopPolylines.h"
+#include "ShadowVolume.h"
+
+class vtkPolyData;
+
+// What a silhouette was made with.
+struct SilhouetteSettings
+{
+  shadow::Light light;
+  shadow::SilhouetteKind kind = shadow::SilhouetteKind::Discrete;
+  CasterSettings caster;
+};
+
+// Writes polylines with all arrays that vtkSmoothLightSilhouette documents.
+void writeSilhouette(const PreparedCaster& prepared, const shadow::SilhouetteChain& chain,
+  const shadow::SilhouetteLoops& loops, const shadow::LoopPolylines& lines,
+  const SilhouetteSettings& settings, vtkPolyData* output);
+
+// False if the data lack what vtkSmoothLightSilhouette writes.
+bool readSettings(vtkPolyData* data, SilhouetteSettings& settings);
+bool readSilhouette(vtkPolyData* data, shadow::SilhouetteInput& silhouette);
+
+// The silhouette that has just been made, without a detour over vtkPolyData.
+shadow::SilhouetteInput toInput(
+  const shadow::SilhouetteLoops& loops, const shadow::LoopPolylines& lines);
+
+#endif

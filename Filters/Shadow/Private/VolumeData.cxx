@@ -1,0 +1,95 @@
+#include "VolumeData.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
+
+namespace
+{
+void writePoints(const shadow::ShadowVolume& volume, const shadow::Vec3& centre, double length,
+  vtkPolyData* output)
+{
+  const vtkIdType count = static_cast<vtkIdType>(volume.points.size());
+  vtkNew<vtkDoubleArray> homogeneous;
+  homogeneous->SetName("Homogeneous");
+  homogeneous->SetNumberOfComponents(4);
+  homogeneous->SetNumberOfTuples(count);
+  vtkNew<vtkPoints> shown;
+  shown->SetDataTypeToDouble();
+  shown->SetNumberOfPoints(count);
+  double* toHomogeneous = homogeneous->GetPointer(0);
+  double* toShown = static_cast<double*>(shown->GetVoidPointer(0));
+  for (std::size_t i = 0; i < volume.points.size(); ++i)
+  {
+    const shadow::Vec4& p = volume.points[i];
+    shadow::Vec3 place(p);
+    if (i >= volume.firstInfinite)
+    {
+      const shadow::Index origin = volume.origin[i - volume.firstInfinite];
+      const shadow::Vec3 from = origin == shadow::None ? centre : shadow::Vec3(volume.points[origin]);
+      place = from + length * shadow::unitOrSame(place);
+    }
+    for (int c = 0; c < 4; ++c)
+    {
+      *toHomogeneous++ = p[c];
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      *toShown++ = place[c];
+    }
+  }
+  output->SetPoints(shown);
+  output->GetPointData()->AddArray(homogeneous);
+}
+
+void writeTriangles(const shadow::ShadowVolume& volume, vtkPolyData* output)
+{
+  const vtkIdType count = static_cast<vtkIdType>(volume.triangles.size());
+  vtkNew<vtkTypeInt64Array> offsets;
+  offsets->SetNumberOfValues(count + 1);
+  vtkNew<vtkTypeInt64Array> connectivity;
+  connectivity->SetNumberOfValues(3 * count);
+  vtkNew<vtkUnsignedCharArray> parts;
+  parts->SetName("Part");
+  parts->SetNumberOfValues(count);
+  vtkNew<vtkIntArray> multiplicities;
+  multiplicities->SetName("Multiplicity");
+  multiplicities->SetNumberOfValues(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const shadow::VolumeTriangle& t = volume.triangles[static_cast<std::size_t>(i)];
+    offsets->SetValue(i, 3 * i);
+    for (unsigned k = 0; k < 3; ++k)
+    {
+      connectivity->SetValue(3 * i + k, t.points[k]);
+    }
+    parts->SetValue(i, static_cast<unsigned char>(t.part));
+    multiplicities->SetValue(i, t.multiplicity);
+  }
+  offsets->SetValue(count, 3 * count);
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, connectivity);
+  output->SetPolys(cells);
+  output->GetCellData()->AddArray(parts);
+  output->GetCellData()->AddArray(multiplicities);
+}
+}
+
+void writeVolume(const shadow::ShadowVolume& volume, const shadow::Vec3& centre, double length,
+  bool closed, vtkPolyData* output)
+{
+  writePoints(volume, centre, length, output);
+  writeTriangles(volume, output);
+  vtkNew<vtkIntArray> isClosed;
+  isClosed->SetName("Closed");
+  isClosed->InsertNextValue(closed);
+  output->GetFieldData()->AddArray(isClosed);
+}

@@ -1,0 +1,14 @@
+// A shadow volume as vtkPolyData.
+#ifndef VolumeData_h
+#define VolumeData_h
+
+#include "ShadowVolume.h"
+
+class vtkPolyData;
+
+// Writes triangles with all arrays that vtkShadowVolumeExtruder documents. Points at infinity are
+// shown at `length` from the point that they belong to, or from the centre.
+void writeVolume(const shadow::ShadowVolume& volume, const shadow::Vec3& centre, double length,
+  bool closed, vtkPolyData* output);
+
+#endif

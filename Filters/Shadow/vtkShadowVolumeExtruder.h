@@ -1,0 +1,123 @@
+/**
+ * @class   vtkShadowVolumeExtruder
+ * @brief   the closed volume in which a mesh's shadow lies
+ *
+ * Port 0 takes the mesh, port 1 its silhouette from vtkSmoothLightSilhouette, whose light, kind
+ * and treatment of points it adopts. Without port 1 the discrete silhouette from LightPosition is
+ * made here.
+ *
+ * The volume reaches from the mesh to infinity. Its points are homogeneous: a point x goes to
+ * infinity as (w x - l, 0) for the light (l, w) (Everitt & Kilgard 2002). A point of space is in
+ * shadow where the volume winds around it, which the stencil test counts.
+ *
+ * The near cap is a part of the mesh itself. On a closed, consistently wound part of the mesh the
+ * dark side can serve as well as the lit one: the shadow that it throws is the same, and it lies
+ * on surface which is black anyway, so no offset is needed against self-shadowing artefacts.
+ * Where a part of the mesh is open or not consistently wound each triangle is taken facing the
+ * light, the whole part is the cap, and the winding around a point is the number of the part's
+ * triangles between it and the light (Aldridge & Woods 2004; Kim, Kim & Turk 2008).
+ *
+ * Output: triangles, wound outwards.
+ * - PointData `Homogeneous` (4, double; w is 1 or 0, at infinity). Points shows those at infinity
+ *   at Length along their direction.
+ * - CellData `Part` (0 cap, 1 gap between a smooth silhouette and the mesh, 2 wall, 3 far cap),
+ *   `Multiplicity` (how often the triangle counts, at least 1).
+ * - FieldData `Closed`: 1 if the directed edges of all triangles, taken with their multiplicity,
+ *   sum to zero.
+ *
+ * Errors: a silhouette that does not belong to the mesh gives vtkErrorMacro and no output, as does
+ * a light that is not finite or is all zero.
+ */
+#ifndef vtkShadowVolumeExtruder_h
+#define vtkShadowVolumeExtruder_h
+
+#include "vtkFiltersShadowModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // For the cached caster
+
+class CasterCache;
+
+class VTKFILTERSSHADOW_EXPORT vtkShadowVolumeExtruder : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkShadowVolumeExtruder* New();
+  vtkTypeMacro(vtkShadowVolumeExtruder, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum CapKinds
+  {
+    AUTOMATIC = 0,
+    LIT = 1,
+    DARK = 2,
+    NONE = 3
+  };
+
+  enum Parts
+  {
+    CAP = 0,
+    GAP = 1,
+    WALL = 2,
+    FAR_CAP = 3
+  };
+
+  ///@{
+  /**
+   * The light, homogeneous, used only without port 1. Default (0, 0, 1, 0).
+   */
+  vtkSetVector4Macro(LightPosition, double);
+  vtkGetVector4Macro(LightPosition, double);
+  ///@}
+
+  /**
+   * Takes the silhouette from a filter's output (port 1).
+   */
+  void SetSilhouetteConnection(vtkAlgorithmOutput* silhouette);
+
+  ///@{
+  /**
+   * Which side of closed parts is the near cap: AUTOMATIC (the dark side), LIT, DARK, or NONE: walls
+   * and gaps alone, which are then not closed. Parts that are not closed have both sides as their
+   * cap. Default AUTOMATIC.
+   *
+   * The dark cap leaves the inside of a closed part out of the shadow: what lies in there is lit,
+   * which only an eye in there sees. The lit cap has the inside in shadow, but casts nothing from
+   * a light inside of a closed part, from which no part of it is lit; the dark one then casts all
+   * around.
+   */
+  vtkSetClampMacro(Caps, int, AUTOMATIC, NONE);
+  vtkGetMacro(Caps, int);
+  void SetCapsToAutomatic() { this->SetCaps(AUTOMATIC); }
+  void SetCapsToLit() { this->SetCaps(LIT); }
+  void SetCapsToDark() { this->SetCaps(DARK); }
+  void SetCapsToNone() { this->SetCaps(NONE); }
+  ///@}
+
+  ///@{
+  /**
+   * How far along their direction Points shows what is at infinity, in world units. 0 (the default)
+   * takes ten times the diagonal of the mesh's bounds.
+   */
+  vtkSetClampMacro(Length, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Length, double);
+  ///@}
+
+protected:
+  vtkShadowVolumeExtruder();
+  ~vtkShadowVolumeExtruder() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkShadowVolumeExtruder(const vtkShadowVolumeExtruder&) = delete;
+  void operator=(const vtkShadowVolumeExtruder&) = delete;
+
+  double LightPosition[4] = { 0.0, 0.0, 1.0, 0.0 };
+  int Caps = AUTOMATIC;
+  double Length = 0.0;
+
+  std::unique_ptr<CasterCache> Cache;
+};
+
+#endif

@@ -1,0 +1,143 @@
+/**
+ * @class   vtkSmoothLightSilhouette
+ * @brief   the closed curves that part the lit from the dark side of a mesh
+ *
+ * Port 0 takes a mesh: triangles, polygons or strips, open or closed, of any orientation. The
+ * output holds its silhouette as seen from a light at LightPosition, or from an eye put there.
+ * Point i is lit when `n_i . (l - w p_i) >= 0`, with the light's homogeneous position (l, w).
+ *
+ * Three kinds of silhouette are given:
+ * - DISCRETE: the mesh edges between lit and dark triangles (Everitt & Kilgard 2002).
+ * - ACCURATE: where the linearly interpolated field is zero; it crosses triangles (Hertzmann &
+ *   Zorin 2000, section 4; Brown 2004).
+ * - SMOOTH: the accurate one moved on to the smooth surface that mesh and normals stand for
+ *   (after Mattausch et al. 2012), of fourth order in the length of an edge, and subdivided until
+ *   it is within Tolerance of its curve.
+ *
+ * The silhouette is the boundary of the lit part of the mesh taken as an oriented chain, so each
+ * polyline is closed whatever the mesh and whatever the rounding. Where the mesh has an edge with
+ * split normals (a crease) or a border, the pieces that close the loops run along that edge. In
+ * a connected part of the mesh that is no closed, consistently wound surface, the dark part
+ * counts with the opposite sign: its loops are what an extrusion needs for that part's exact
+ * shadow, contours have multiplicity 2 there and borders 1.
+ *
+ * Output: polylines, one cell a loop; a loop repeats its first point id at its end.
+ * - PointData `Normals` (3, double, unit), `MeshPoints` (3, double: the point on the mesh that
+ *   belongs to it), `MeshNodes` (vtkIdType: number of the point in the mesh's numbering of
+ *   vertices and crossings, -1 between these; vtkShadowVolumeExtruder needs it).
+ * - CellData `Kind` (0 contour, 1 crease, 2 border, 3 mixed), `Closed` (always 1), `Multiplicity`.
+ * - FieldData `LightPosition` (4), `MaximumDeviation` (world units: no point of a polyline's curve
+ *   is farther than this from the polyline), `SilhouetteKind`, `EdgesTested`, `SearchComplete`,
+ *   `MergePoints`, `FeatureAngle`, and what was found in the mesh: `DegenerateCells`,
+ *   `NonFiniteCells`, `BoundaryEdges`, `NonManifoldEdges`, `InconsistentEdges`.
+ *
+ * What depends on the mesh alone is kept until the mesh is modified: a moved light pays for its
+ * silhouette only.
+ *
+ * Errors: a light that is not finite or is all zero gives vtkErrorMacro and no output. Cells with
+ * non-finite points are left out and counted. An empty mesh gives an empty output.
+ */
+#ifndef vtkSmoothLightSilhouette_h
+#define vtkSmoothLightSilhouette_h
+
+#include "vtkFiltersShadowModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // For the cached caster
+
+class CasterCache;
+
+class VTKFILTERSSHADOW_EXPORT vtkSmoothLightSilhouette : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSmoothLightSilhouette* New();
+  vtkTypeMacro(vtkSmoothLightSilhouette, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum SilhouetteKind
+  {
+    DISCRETE = 0,
+    ACCURATE = 1,
+    SMOOTH = 2
+  };
+
+  enum ToleranceModes
+  {
+    RELATIVE = 0,
+    WORLD = 1
+  };
+
+  ///@{
+  /**
+   * The light, homogeneous: (x, y, z, 1) is a point, (x, y, z, 0) the direction towards a light
+   * at infinity; any other w scales. In the mesh's coordinates. Default (0, 0, 1, 0).
+   */
+  vtkSetVector4Macro(LightPosition, double);
+  vtkGetVector4Macro(LightPosition, double);
+  ///@}
+
+  ///@{
+  /**
+   * DISCRETE, ACCURATE or SMOOTH. Default SMOOTH.
+   */
+  vtkSetClampMacro(Kind, int, DISCRETE, SMOOTH);
+  vtkGetMacro(Kind, int);
+  void SetKindToDiscrete() { this->SetKind(DISCRETE); }
+  void SetKindToAccurate() { this->SetKind(ACCURATE); }
+  void SetKindToSmooth() { this->SetKind(SMOOTH); }
+  ///@}
+
+  ///@{
+  /**
+   * The farthest that SMOOTH's polyline may be from its curve, as a share of the diagonal of the
+   * mesh's bounds (RELATIVE) or in world units (WORLD). The other kinds are polylines in
+   * themselves. Default 1e-4, RELATIVE.
+   */
+  vtkSetClampMacro(Tolerance, double, 1e-12, VTK_DOUBLE_MAX);
+  vtkGetMacro(Tolerance, double);
+  vtkSetClampMacro(ToleranceMode, int, RELATIVE, WORLD);
+  vtkGetMacro(ToleranceMode, int);
+  void SetToleranceModeToRelative() { this->SetToleranceMode(RELATIVE); }
+  void SetToleranceModeToWorld() { this->SetToleranceMode(WORLD); }
+  ///@}
+
+  ///@{
+  /**
+   * Where the mesh has no point normals they are estimated, and edges whose faces turn by more
+   * than this angle split them: such an edge is a crease. In degrees, 0 to 180, default 60.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether points with equal coordinates are one vertex of the mesh, their normals then
+   * belonging to the corners of its triangles. Off, such points are borders. Default on.
+   */
+  vtkSetMacro(MergePoints, bool);
+  vtkGetMacro(MergePoints, bool);
+  vtkBooleanMacro(MergePoints, bool);
+  ///@}
+
+protected:
+  vtkSmoothLightSilhouette();
+  ~vtkSmoothLightSilhouette() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkSmoothLightSilhouette(const vtkSmoothLightSilhouette&) = delete;
+  void operator=(const vtkSmoothLightSilhouette&) = delete;
+
+  double LightPosition[4] = { 0.0, 0.0, 1.0, 0.0 };
+  int Kind = SMOOTH;
+  double Tolerance = 1e-4;
+  int ToleranceMode = RELATIVE;
+  double FeatureAngle = 60.0;
+  bool MergePoints = true;
+
+  std::unique_ptr<CasterCache> Cache;
+};
+
+#endif
