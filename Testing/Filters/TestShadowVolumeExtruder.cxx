@@ -1,0 +1,221 @@
+// Contracts and invariants of the extruder.
+
+#include "AnalyticShadow.h"
+#include "ChainChecks.h"
+#include "RealMeshes.h"
+#include "ShadowPipeline.h"
+#include "TestMeshes.h"
+#include "Tolerances.h"
+
+#include <vtkCellData.h>
+#include <vtkCommand.h>
+#include <vtkExecutive.h>
+#include <vtkPointData.h>
+#include <vtkTestErrorObserver.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+using shadowtest::LightPosition;
+using shadowtest::ShadowPipeline;
+
+const LightPosition Lights[] = { { 0.3, 0.2, 1.0, 0.0 }, { 0.0, 0.0, 1.0, 0.0 },
+  { 1.1, -2.7, 3.1, 1.0 }, { 0.0, 0.0, 5.0, 1.0 }, { 0.1, 0.05, 0.02, 1.0 } };
+
+vtkIdType countPart(vtkPolyData* volume, int part)
+{
+  vtkDataArray* parts = volume->GetCellData()->GetArray("Part");
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; i < parts->GetNumberOfTuples(); ++i)
+  {
+    count += parts->GetComponent(i, 0) == part;
+  }
+  return count;
+}
+
+void expectClosed(ShadowPipeline& pipeline, const std::string& name)
+{
+  for (const int caps : { vtkShadowVolumeExtruder::AUTOMATIC, vtkShadowVolumeExtruder::LIT,
+         vtkShadowVolumeExtruder::DARK })
+  {
+    pipeline.Extruder->SetCaps(caps);
+    vtkPolyData* volume = pipeline.volume();
+    EXPECT_EQ(shadowtest::openEdges(volume), 0) << name << ", caps " << caps;
+    EXPECT_EQ(shadowtest::fieldValue(volume, "Closed"), 1.0) << name;
+    // From inside of a closed mesh no part of it is lit.
+    if (caps != vtkShadowVolumeExtruder::LIT)
+    {
+      EXPECT_GT(volume->GetNumberOfPolys(), 4) << name;
+    }
+  }
+}
+}
+
+TEST(ShadowVolumeExtruder, VolumesOfKnownShapesAreClosed)
+{
+  const std::pair<const char*, shadowtest::Mesh> meshes[] = {
+    { "sphere", shadowtest::sphere(12, 24) }, { "torus", shadowtest::torus(36, 18) },
+    { "cylinder", shadowtest::cylinder(16) }, { "box", shadowtest::box() },
+    { "welded box", shadowtest::weldedBox() }, { "sheet", shadowtest::ground(0.0, 1.0, 3) }
+  };
+  for (const auto& [name, mesh] : meshes)
+  {
+    for (const LightPosition& light : Lights)
+    {
+      for (const int kind : shadowtest::AllKinds)
+      {
+        ShadowPipeline pipeline(mesh, light, kind);
+        expectClosed(pipeline, std::string(name) + ", kind " + std::to_string(kind));
+      }
+    }
+  }
+}
+
+TEST(ShadowVolumeExtruder, BunnysVolumeIsClosed)
+{
+  const auto bunny = shadowtest::bunny();
+  for (const int kind : shadowtest::AllKinds)
+  {
+    ShadowPipeline pipeline(bunny, { 1.5, 3.0, 2.0, 1.0 }, kind);
+    expectClosed(pipeline, "bunny, kind " + std::to_string(kind));
+  }
+}
+
+// Points away from the shadow's boundary are inside of the volume exactly if the ball hides the
+// light.
+TEST(ShadowVolumeExtruder, SphereCastsTheShadowOfTheBall)
+{
+  const double ball[3] = { 1.0, 1.0, 1.0 };
+  const shadowtest::Mesh sphere = shadowtest::sphere(48, 96);
+  for (const LightPosition& light : { Lights[0], Lights[2] })
+  {
+    for (const int kind : shadowtest::AllKinds)
+    {
+      ShadowPipeline pipeline(sphere, light, kind);
+      vtkPolyData* volume = pipeline.volume();
+      int inShadow = 0;
+      int lit = 0;
+      for (int i = 0; i < 400; ++i)
+      {
+        const shadowtest::Vec3 point{ -3.0 + 0.3 * (i % 20), -3.0 + 0.3 * (i / 20), -2.0 };
+        const double larger[3] = { 1.01, 1.01, 1.01 };
+        const double smaller[3] = { 0.99, 0.99, 0.99 };
+        const bool hidden = shadowtest::ellipsoidHides(ball, point, light);
+        if (shadowtest::ellipsoidHides(larger, point, light) !=
+          shadowtest::ellipsoidHides(smaller, point, light))
+        {
+          continue;
+        }
+        EXPECT_NEAR(shadowtest::windingNumber(volume, point.data()), hidden ? 1.0 : 0.0,
+          shadowtest::tolerance::Winding);
+        ++(hidden ? inShadow : lit);
+      }
+      EXPECT_GT(inShadow, 20);
+      EXPECT_GT(lit, 100);
+    }
+  }
+}
+
+// All of space outside of a closed mesh is in the shadow of a light inside of it.
+TEST(ShadowVolumeExtruder, LightInsideOfAClosedMesh)
+{
+  for (const int kind : shadowtest::AllKinds)
+  {
+    ShadowPipeline pipeline(shadowtest::sphere(12, 24), { 0.1, 0.2, 0.3, 1.0 }, kind);
+    vtkPolyData* volume = pipeline.volume();
+    EXPECT_GT(volume->GetNumberOfPolys(), 100);
+    for (const shadowtest::Vec3& point :
+      { shadowtest::Vec3{ 2.0, 0.0, 0.0 }, shadowtest::Vec3{ -3.0, 5.0, 1.0 } })
+    {
+      EXPECT_NEAR(std::fabs(shadowtest::windingNumber(volume, point.data())), 1.0,
+        shadowtest::tolerance::Winding);
+    }
+    const double inside[3] = { -0.2, 0.0, 0.1 };
+    EXPECT_NEAR(
+      shadowtest::windingNumber(volume, inside), 0.0, shadowtest::tolerance::Winding);
+  }
+}
+
+TEST(ShadowVolumeExtruder, PartsAreWhatTheyAreCalled)
+{
+  const shadowtest::Mesh torus = shadowtest::torus(24, 12);
+  ShadowPipeline pipeline(torus, Lights[2], vtkSmoothLightSilhouette::SMOOTH);
+  EXPECT_GT(countPart(pipeline.volume(), vtkShadowVolumeExtruder::CAP), 100);
+  EXPECT_GT(countPart(pipeline.volume(), vtkShadowVolumeExtruder::GAP), 100);
+  EXPECT_GT(countPart(pipeline.volume(), vtkShadowVolumeExtruder::WALL), 100);
+  EXPECT_GT(countPart(pipeline.volume(), vtkShadowVolumeExtruder::FAR_CAP), 50);
+
+  pipeline.setLight(Lights[0]);
+  EXPECT_EQ(countPart(pipeline.volume(), vtkShadowVolumeExtruder::FAR_CAP), 0);
+
+  pipeline.Silhouette->SetKindToAccurate();
+  EXPECT_EQ(countPart(pipeline.volume(), vtkShadowVolumeExtruder::GAP), 0);
+
+  pipeline.Extruder->SetCapsToNone();
+  EXPECT_EQ(countPart(pipeline.volume(), vtkShadowVolumeExtruder::CAP), 0);
+  EXPECT_EQ(shadowtest::fieldValue(pipeline.volume(), "Closed"), 0.0);
+  EXPECT_GT(shadowtest::openEdges(pipeline.volume()), 0);
+}
+
+TEST(ShadowVolumeExtruder, MakesADiscreteSilhouetteItself)
+{
+  const shadowtest::Mesh torus = shadowtest::torus(24, 12);
+  ShadowPipeline pipeline(torus, Lights[2], vtkSmoothLightSilhouette::DISCRETE);
+  vtkNew<vtkShadowVolumeExtruder> alone;
+  alone->SetInputData(torus);
+  alone->SetLightPosition(Lights[2].data());
+  alone->Update();
+  EXPECT_EQ(
+    alone->GetOutput()->GetNumberOfPolys(), pipeline.volume()->GetNumberOfPolys());
+  EXPECT_EQ(shadowtest::openEdges(alone->GetOutput()), 0);
+}
+
+TEST(ShadowVolumeExtruder, InfinityIsShownAtLength)
+{
+  const shadowtest::Mesh torus = shadowtest::torus(24, 12);
+  ShadowPipeline pipeline(torus, Lights[2], vtkSmoothLightSilhouette::SMOOTH);
+  pipeline.Extruder->SetLength(7.0);
+  vtkPolyData* volume = pipeline.volume();
+  vtkDataArray* homogeneous = volume->GetPointData()->GetArray("Homogeneous");
+  ASSERT_EQ(homogeneous->GetNumberOfTuples(), volume->GetNumberOfPoints());
+  vtkIdType infinite = 0;
+  for (vtkIdType i = 0; i < volume->GetNumberOfPoints(); ++i)
+  {
+    double h[4];
+    homogeneous->GetTuple(i, h);
+    double p[3];
+    volume->GetPoint(i, p);
+    ASSERT_TRUE(h[3] == 0.0 || h[3] == 1.0);
+    const double farthest = 7.0 + torus->GetLength();
+    EXPECT_LE(std::hypot(p[0], p[1], p[2]), farthest);
+    infinite += h[3] == 0.0;
+    if (h[3] == 1.0)
+    {
+      EXPECT_EQ(h[0], p[0]);
+    }
+  }
+  EXPECT_GT(infinite, 50);
+}
+
+TEST(ShadowVolumeExtruder, OtherMeshsSilhouetteIsAnError)
+{
+  ShadowPipeline torus(shadowtest::torus(24, 12), Lights[2], vtkSmoothLightSilhouette::SMOOTH);
+  vtkNew<vtkShadowVolumeExtruder> extruder;
+  extruder->SetInputData(shadowtest::torus(24, 12, 5));
+  extruder->SetSilhouetteConnection(torus.Silhouette->GetOutputPort());
+  vtkNew<vtkTest::ErrorObserver> errors;
+  extruder->AddObserver(vtkCommand::ErrorEvent, errors);
+  extruder->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
+  extruder->Update();
+  EXPECT_NE(errors->GetErrorMessage().find("not that of the mesh"), std::string::npos);
+  EXPECT_EQ(extruder->GetOutput()->GetNumberOfPolys(), 0);
+
+  errors->Clear();
+  extruder->SetInputConnection(1, nullptr);
+  extruder->SetInputData(1, shadowtest::triangle());
+  extruder->Update();
+  EXPECT_NE(errors->GetErrorMessage().find("port 1"), std::string::npos);
+}

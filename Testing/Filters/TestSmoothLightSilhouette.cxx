@@ -1,0 +1,349 @@
+// Contracts and invariants of the silhouette filter.
+
+#include "ChainChecks.h"
+#include "HostileMeshes.h"
+#include "RandomMeshes.h"
+#include "RealMeshes.h"
+#include "ShadowPipeline.h"
+#include "SilhouetteOracle.h"
+#include "TestMeshes.h"
+#include "Tolerances.h"
+
+#include <vtkCellData.h>
+#include <vtkCommand.h>
+#include <vtkExecutive.h>
+#include <vtkIdList.h>
+#include <vtkLine.h>
+#include <vtkPointData.h>
+#include <vtkSMPTools.h>
+#include <vtkStripper.h>
+#include <vtkTestErrorObserver.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+using shadowtest::LightPosition;
+using shadowtest::ShadowPipeline;
+
+const LightPosition Lights[] = { { 0.3, 0.2, 1.0, 0.0 }, { 0.0, 0.0, 1.0, 0.0 },
+  { 1.0, 0.0, 0.0, 0.0 }, { 1.1, -2.7, 3.1, 1.0 }, { 0.0, 0.0, 5.0, 1.0 } };
+
+vtkIdType loopsWithKind(vtkPolyData* silhouette, int kind)
+{
+  vtkDataArray* kinds = silhouette->GetCellData()->GetArray("Kind");
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; i < kinds->GetNumberOfTuples(); ++i)
+  {
+    count += kinds->GetComponent(i, 0) == kind;
+  }
+  return count;
+}
+
+double distanceToLines(vtkPolyData* polylines, const double point[3])
+{
+  double least = std::numeric_limits<double>::infinity();
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < polylines->GetNumberOfCells(); ++cell)
+  {
+    polylines->GetCellPoints(cell, ids);
+    for (vtkIdType i = 0; i + 1 < ids->GetNumberOfIds(); ++i)
+    {
+      double p[3];
+      double q[3];
+      double t;
+      polylines->GetPoint(ids->GetId(i), p);
+      polylines->GetPoint(ids->GetId(i + 1), q);
+      least = std::fmin(least, vtkLine::DistanceToLine(point, p, q, t, nullptr));
+    }
+  }
+  return std::sqrt(least);
+}
+
+void expectEqualOutputs(vtkPolyData* expected, vtkPolyData* actual)
+{
+  ASSERT_EQ(expected->GetNumberOfPoints(), actual->GetNumberOfPoints());
+  ASSERT_EQ(expected->GetNumberOfCells(), actual->GetNumberOfCells());
+  for (vtkIdType i = 0; i < expected->GetNumberOfPoints(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      ASSERT_EQ(expected->GetPoint(i)[c], actual->GetPoint(i)[c]);
+    }
+  }
+}
+}
+
+TEST(SmoothLightSilhouette, LoopsOfKnownShapesAreClosed)
+{
+  const std::pair<const char*, shadowtest::Mesh> meshes[] = {
+    { "sphere", shadowtest::sphere(12, 24) }, { "torus", shadowtest::torus(36, 18) },
+    { "cylinder", shadowtest::cylinder(16) }, { "box", shadowtest::box() },
+    { "welded box", shadowtest::weldedBox() }, { "quads", shadowtest::quadBox() },
+    { "triangle", shadowtest::triangle() }, { "Moebius", shadowtest::moebiusStrip(20) },
+    { "fin of 3", shadowtest::fin(3) }, { "fin of 5", shadowtest::fin(5) },
+    { "slivers", shadowtest::slivers(10, 1e-12) }, { "T", shadowtest::tJunction() }
+  };
+  for (const auto& [name, mesh] : meshes)
+  {
+    for (const LightPosition& light : Lights)
+    {
+      for (const int kind : shadowtest::AllKinds)
+      {
+        ShadowPipeline pipeline(mesh, light, kind);
+        const shadowtest::LoopReport report = shadowtest::checkLoops(pipeline.silhouette());
+        EXPECT_TRUE(report.good()) << name << ", kind " << kind << ": " << report;
+        EXPECT_GT(report.Segments, 2) << name << ", kind " << kind;
+      }
+    }
+  }
+}
+
+TEST(SmoothLightSilhouette, BunnyIsClosed)
+{
+  const auto bunny = shadowtest::bunny();
+  for (const int kind : shadowtest::AllKinds)
+  {
+    ShadowPipeline pipeline(bunny, { 1.5, 3.0, 2.0, 1.0 }, kind);
+    const shadowtest::LoopReport report = shadowtest::checkLoops(pipeline.silhouette());
+    EXPECT_TRUE(report.good()) << report;
+    EXPECT_GT(report.Segments, 500);
+    EXPECT_EQ(shadowtest::fieldValue(pipeline.silhouette(), "BoundaryEdges"), 0.0);
+  }
+}
+
+// The oracle shares no code with the filter.
+TEST(SmoothLightSilhouette, DiscreteAndAccurateEqualTheOracle)
+{
+  std::size_t segments = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed)
+  {
+    const shadowtest::RandomMesh scene = shadowtest::randomMesh(seed);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", " + scene.Kind);
+    const shadowtest::SegmentChain discrete =
+      shadowtest::discreteSilhouette(scene.Surface, scene.Light.data());
+    ShadowPipeline pipeline(scene.Surface, scene.Light, vtkSmoothLightSilhouette::DISCRETE);
+    const double size = shadowtest::tolerance::SamePoint * std::fmax(scene.Surface->GetLength(), 1e-300);
+    if (scene.Exact || discrete.Margin > shadowtest::tolerance::TooClose)
+    {
+      const auto difference =
+        compareChains(discrete, shadowtest::chainOf(pipeline.silhouette()), size);
+      EXPECT_TRUE(difference.none()) << difference.Message;
+      segments += difference.Expected;
+    }
+    if (!shadowtest::hasUsableNormals(scene.Surface))
+    {
+      continue;
+    }
+    const shadowtest::SegmentChain accurate =
+      shadowtest::accurateSilhouette(scene.Surface, scene.Light.data());
+    if (std::fmin(accurate.Margin, accurate.WindingMargin) > shadowtest::tolerance::TooClose)
+    {
+      pipeline.Silhouette->SetKindToAccurate();
+      const auto difference =
+        compareChains(accurate, shadowtest::chainOf(pipeline.silhouette()), size);
+      EXPECT_TRUE(difference.none()) << difference.Message;
+      segments += difference.Expected;
+    }
+  }
+  EXPECT_GT(segments, 2000u);
+}
+
+TEST(SmoothLightSilhouette, PolylinesAreWithinTheTolerance)
+{
+  const shadowtest::Mesh torus = shadowtest::torus(24, 12);
+  ShadowPipeline pipeline(torus, Lights[3], vtkSmoothLightSilhouette::SMOOTH);
+  vtkIdType last = 0;
+  for (const double tolerance : { 1e-2, 1e-3, 1e-4, 1e-5 })
+  {
+    pipeline.Silhouette->SetToleranceModeToWorld();
+    pipeline.Silhouette->SetTolerance(tolerance);
+    vtkPolyData* output = pipeline.silhouette();
+    EXPECT_LE(shadowtest::fieldValue(output, "MaximumDeviation"), tolerance);
+    EXPECT_GT(shadowtest::fieldValue(output, "MaximumDeviation"), 0.0);
+    EXPECT_GE(output->GetNumberOfPoints(), last);
+    last = output->GetNumberOfPoints();
+  }
+  pipeline.Silhouette->SetToleranceModeToRelative();
+  pipeline.Silhouette->SetTolerance(1e-5 / torus->GetLength());
+  EXPECT_NEAR(static_cast<double>(pipeline.silhouette()->GetNumberOfPoints()),
+    static_cast<double>(last), 2.0);
+}
+
+// The reported bound, against the densely subdivided curve through the same nodes.
+TEST(SmoothLightSilhouette, MaximumDeviationIsABound)
+{
+  const shadowtest::Mesh torus = shadowtest::torus(12, 8, 5);
+  ShadowPipeline coarse(torus, Lights[3], vtkSmoothLightSilhouette::SMOOTH);
+  coarse.Silhouette->SetTolerance(3e-3);
+  ShadowPipeline fine(torus, Lights[3], vtkSmoothLightSilhouette::SMOOTH);
+  fine.Silhouette->SetTolerance(1e-8);
+  vtkPolyData* polyline = coarse.silhouette();
+  vtkPolyData* curve = fine.silhouette();
+  ASSERT_GT(curve->GetNumberOfPoints(), 20 * polyline->GetNumberOfPoints());
+  const double bound = shadowtest::fieldValue(polyline, "MaximumDeviation");
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < curve->GetNumberOfPoints(); ++i)
+  {
+    largest = std::fmax(largest, distanceToLines(polyline, curve->GetPoint(i)));
+  }
+  EXPECT_LE(largest, bound * (1.0 + shadowtest::tolerance::ReportedBound) + 1e-8);
+  EXPECT_GT(largest, 0.05 * bound) << "a bound this loose would make its test worthless";
+}
+
+TEST(SmoothLightSilhouette, CreasesAndBordersAreNamed)
+{
+  ShadowPipeline cylinder(
+    shadowtest::cylinder(24), { 0.4, 0.2, 1.0, 0.0 }, vtkSmoothLightSilhouette::SMOOTH);
+  EXPECT_EQ(loopsWithKind(cylinder.silhouette(), 3), 1) << "one loop of contours and rims";
+
+  ShadowPipeline box(
+    shadowtest::box(), { 0.3, 0.2, 1.0, 0.0 }, vtkSmoothLightSilhouette::SMOOTH);
+  EXPECT_EQ(loopsWithKind(box.silhouette(), 1), 1);
+  EXPECT_EQ(box.silhouette()->GetNumberOfCells(), 1);
+
+  ShadowPipeline sheet(
+    shadowtest::ground(0.0, 1.0, 3), { 0.3, 0.2, 1.0, 0.0 }, vtkSmoothLightSilhouette::ACCURATE);
+  EXPECT_EQ(loopsWithKind(sheet.silhouette(), 2), 1);
+}
+
+// What a turned or mirrored copy of the input casts is the same, turned.
+TEST(SmoothLightSilhouette, MisorientedNormalsAndWindingsDoNotMatter)
+{
+  const shadowtest::Mesh torus = shadowtest::torus(18, 9);
+  const auto expected = shadowtest::chainOf(
+    ShadowPipeline(torus, Lights[3], vtkSmoothLightSilhouette::SMOOTH).silhouette());
+  vtkNew<vtkPolyData> inward;
+  inward->DeepCopy(torus);
+  inward->BuildCells();
+  for (vtkIdType i = 0; i < inward->GetNumberOfCells(); ++i)
+  {
+    inward->ReverseCell(i);
+  }
+  inward->GetPolys()->Modified();
+  const auto actual = shadowtest::chainOf(
+    ShadowPipeline(inward, Lights[3], vtkSmoothLightSilhouette::SMOOTH).silhouette());
+  const auto difference = compareChains(expected, actual, shadowtest::tolerance::SamePoint);
+  EXPECT_TRUE(difference.none()) << difference.Message;
+  EXPECT_GT(difference.Expected, 20u);
+}
+
+TEST(SmoothLightSilhouette, StripsAndPolygonsAreTheirTriangles)
+{
+  const shadowtest::Mesh torus = shadowtest::torus(18, 9);
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputData(torus);
+  stripper->Update();
+  ASSERT_GT(stripper->GetOutput()->GetNumberOfStrips(), 0);
+  for (const int kind : shadowtest::AllKinds)
+  {
+    const auto expected =
+      shadowtest::chainOf(ShadowPipeline(torus, Lights[3], kind).silhouette());
+    const auto actual = shadowtest::chainOf(
+      ShadowPipeline(stripper->GetOutput(), Lights[3], kind).silhouette());
+    const auto difference = compareChains(expected, actual, shadowtest::tolerance::SamePoint);
+    EXPECT_TRUE(difference.none()) << difference.Message;
+  }
+  const auto quads = shadowtest::chainOf(
+    ShadowPipeline(shadowtest::quadBox(), Lights[0], vtkSmoothLightSilhouette::DISCRETE)
+      .silhouette());
+  const auto triangles = shadowtest::chainOf(
+    ShadowPipeline(shadowtest::weldedBox(), Lights[0], vtkSmoothLightSilhouette::DISCRETE)
+      .silhouette());
+  EXPECT_TRUE(compareChains(triangles, quads, shadowtest::tolerance::SamePoint).none());
+}
+
+TEST(SmoothLightSilhouette, EmptyInEmptyOut)
+{
+  vtkNew<vtkPolyData> empty;
+  for (const int kind : shadowtest::AllKinds)
+  {
+    ShadowPipeline pipeline(empty, Lights[0], kind);
+    EXPECT_EQ(pipeline.silhouette()->GetNumberOfCells(), 0);
+    EXPECT_EQ(pipeline.volume()->GetNumberOfCells(), 0);
+  }
+}
+
+TEST(SmoothLightSilhouette, BadLightsAreErrorsThatNameTheValue)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const LightPosition bad[] = { { nan, 0, 0, 1 }, { 0, infinity, 0, 0 }, { 0, 0, 0, 0 } };
+  for (const LightPosition& light : bad)
+  {
+    ShadowPipeline pipeline(
+      shadowtest::triangle(), light, vtkSmoothLightSilhouette::SMOOTH);
+    vtkNew<vtkTest::ErrorObserver> errors;
+    pipeline.Silhouette->AddObserver(vtkCommand::ErrorEvent, errors);
+    pipeline.Silhouette->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
+    pipeline.Silhouette->Update();
+    EXPECT_TRUE(errors->GetError());
+    EXPECT_NE(errors->GetErrorMessage().find("LightPosition ("), std::string::npos);
+    EXPECT_EQ(pipeline.Silhouette->GetOutput()->GetNumberOfCells(), 0);
+  }
+}
+
+TEST(SmoothLightSilhouette, BadCellsAreLeftOutAndCounted)
+{
+  const shadowtest::Mesh spoilt = shadowtest::withBadPoints(shadowtest::sphere(8, 12), 2, 3);
+  for (const int kind : shadowtest::AllKinds)
+  {
+    ShadowPipeline pipeline(spoilt, Lights[3], kind);
+    const shadowtest::LoopReport report = shadowtest::checkLoops(pipeline.silhouette());
+    EXPECT_TRUE(report.good()) << report;
+    EXPECT_GT(report.Segments, 10);
+    EXPECT_GE(shadowtest::fieldValue(pipeline.silhouette(), "NonFiniteCells"), 4.0);
+    EXPECT_GT(shadowtest::fieldValue(pipeline.silhouette(), "BoundaryEdges"), 4.0);
+  }
+}
+
+TEST(SmoothLightSilhouette, DefectsAreCounted)
+{
+  ShadowPipeline fin(shadowtest::fin(3), Lights[3], vtkSmoothLightSilhouette::DISCRETE);
+  EXPECT_EQ(shadowtest::fieldValue(fin.silhouette(), "NonManifoldEdges"), 1.0);
+  ShadowPipeline strip(
+    shadowtest::moebiusStrip(20), Lights[3], vtkSmoothLightSilhouette::DISCRETE);
+  EXPECT_EQ(shadowtest::fieldValue(strip.silhouette(), "InconsistentEdges"), 1.0);
+  ShadowPipeline apart(shadowtest::box(), Lights[3], vtkSmoothLightSilhouette::DISCRETE);
+  EXPECT_EQ(shadowtest::fieldValue(apart.silhouette(), "BoundaryEdges"), 0.0);
+  apart.Silhouette->MergePointsOff();
+  EXPECT_EQ(shadowtest::fieldValue(apart.silhouette(), "BoundaryEdges"), 24.0);
+}
+
+TEST(SmoothLightSilhouette, ModifiedMeshesAreReadAgain)
+{
+  const shadowtest::Mesh sphere = shadowtest::sphere(8, 12);
+  ShadowPipeline pipeline(sphere, Lights[3], vtkSmoothLightSilhouette::SMOOTH);
+  const double before = pipeline.silhouette()->GetLength();
+  for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    sphere->GetPoint(i, p);
+    sphere->GetPoints()->SetPoint(i, 0.5 * p[0], 0.5 * p[1], 0.5 * p[2]);
+  }
+  sphere->GetPoints()->Modified();
+  EXPECT_LT(pipeline.silhouette()->GetLength(), 0.6 * before);
+}
+
+TEST(SmoothLightSilhouette, ThreadsDoNotMatter)
+{
+  const auto bunny = shadowtest::bunny();
+  for (const int kind : shadowtest::AllKinds)
+  {
+    const std::string usual = vtkSMPTools::GetBackend();
+    ASSERT_TRUE(vtkSMPTools::SetBackend("Sequential"));
+    ShadowPipeline serial(bunny, Lights[3], kind);
+    serial.silhouette();
+    ASSERT_TRUE(vtkSMPTools::SetBackend("STDThread"));
+    // Its own copy, or it would share what the serial one has prepared.
+    vtkNew<vtkPolyData> copy;
+    copy->DeepCopy(bunny);
+    ShadowPipeline threaded(copy, Lights[3], kind);
+    expectEqualOutputs(serial.silhouette(), threaded.silhouette());
+    expectEqualOutputs(serial.volume(), threaded.volume());
+    vtkSMPTools::SetBackend(usual.c_str());
+  }
+}
