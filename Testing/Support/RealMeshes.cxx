@@ -1,0 +1,79 @@
+#include "RealMeshes.h"
+
+#include "OffReader.h"
+
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkPoints.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+
+namespace shadowtest
+{
+namespace
+{
+std::string setting(const char* variable, const char* otherwise)
+{
+  const char* value = std::getenv(variable);
+  return value && *value ? value : otherwise;
+}
+
+std::string cgalFolder()
+{
+  return setting("SMOOTHSHADOW_TEST_CGAL", SMOOTHSHADOW_TEST_CGAL_FOLDER);
+}
+}
+
+vtkSmartPointer<vtkPolyData> bunny()
+{
+  const std::string path = setting("SMOOTHSHADOW_TEST_BUNNY", SMOOTHSHADOW_TEST_BUNNY_FILE);
+  if (!std::filesystem::exists(path))
+  {
+    throw std::runtime_error("bunny: there is no " + path +
+      "; install the package glmark2-data or set SMOOTHSHADOW_TEST_BUNNY");
+  }
+  vtkNew<vtkOBJReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  if (reader->GetOutput()->GetNumberOfPolys() == 0)
+  {
+    throw std::runtime_error("bunny: no polygons in " + path);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->DeepCopy(reader->GetOutput()->GetPoints());
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(reader->GetOutput()->GetPolys());
+  return mesh;
+}
+
+vtkSmartPointer<vtkPolyData> cgalMesh(const std::string& name)
+{
+  const std::filesystem::path path = std::filesystem::path(cgalFolder()) / (name + ".off");
+  if (!std::filesystem::exists(path))
+  {
+    throw std::runtime_error("cgalMesh(\"" + name + "\"): there is no " + path.string() +
+      "; install the package libcgal-demo and build again, or set SMOOTHSHADOW_TEST_CGAL");
+  }
+  return readOff(path.string());
+}
+
+std::vector<std::string> cgalMeshNames()
+{
+  std::vector<std::string> names;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(cgalFolder(), none))
+  {
+    if (entry.path().extension() == ".off")
+    {
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+}

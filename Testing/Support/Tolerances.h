@@ -1,0 +1,55 @@
+/**
+ * Every tolerance of the tests, each with its reason. A test never widens one to pass: the cause
+ * is found, and a real limit is written into the README.
+ *
+ * Lengths are relative to the size of what is measured (the diagonal of its bounds) unless said.
+ */
+#ifndef shadowtest_Tolerances_h
+#define shadowtest_Tolerances_h
+
+namespace shadowtest
+{
+namespace tolerance
+{
+/// Length of a normal against 1: a few roundings of a normalisation in double.
+constexpr double UnitNormal = 1e-12;
+
+/// Points computed twice by formulas that are equal on paper, in double: crossings on an edge, a
+/// scene that was moved and moved back by less than its size.
+constexpr double SamePoint = 1e-12;
+
+/// A winding number against the nearest integer, away from the surface: sums of some 1e5 solid
+/// angles in double.
+constexpr double Winding = 1e-6;
+
+/// Volume of a mesh against that of its polyhedron by another formula.
+constexpr double Volume = 1e-10;
+
+/// A point counts as too close to a surface (or a ray to a triangle's edge) for a decision in
+/// double to be compared with another one.
+constexpr double TooClose = 1e-9;
+
+/// Residual at which the Newton iterations of the analytic shadows have converged.
+constexpr double Newton = 1e-13;
+
+/// Radial curvature times the shape's size unit below which a contour point is taken to be close
+/// to a cusp: there the contour turns into the line of sight and no method has an order.
+constexpr double CuspRadialCurvature = 0.1;
+
+/// Slack on the bound that a silhouette reports for its own subdivision: rounding only.
+constexpr double ReportedBound = 1e-9;
+
+/// Least order of convergence of the smooth contour's shadow.
+constexpr double SmoothOrder = 3.5;
+
+/// Pixels: how far from the true shadow's edge a rasterised mask may differ from the oracle.
+constexpr int MaskPixels = 1;
+
+/// Share of pixels, and greatest difference of a channel (0 to 255), by which the pictures of two
+/// rasterisers of the same scene may differ: rounding of colours, and samples on an edge.
+constexpr double PictureFraction = 0.002;
+constexpr int PictureChannel = 2;
+}
+}
+
+#endif
