@@ -1,0 +1,572 @@
+"""Drives the tool as a user does: exit codes, messages, files and figures.
+
+    SMOOTHSHADOW=build/bin/smoothshadow /usr/bin/python3 TestCommandLine.py [Class]...
+"""
+import json
+import math
+import os
+import pty
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import tempfile
+import unittest
+
+import Meshes
+
+TOOL = os.environ["SMOOTHSHADOW"]
+BUNNY = "/usr/share/glmark2/models/bunny.obj"
+BUNNY_TRIANGLES = 69666
+CAT = "/usr/share/glmark2/models/cat.3ds"
+
+
+class ToolTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp(prefix="smoothshadow-")
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def run_tool(self, *arguments, tool=TOOL, **options):
+        return subprocess.run([tool, *arguments], capture_output=True, text=True, timeout=240,
+                              cwd=self.folder, **options)
+
+    def succeed(self, *arguments, **options):
+        run = self.run_tool(*arguments, **options)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(run.stderr, "")
+        return run.stdout
+
+    def statistics(self, *arguments, **options):
+        return json.loads(self.succeed(*arguments, "--json", **options))
+
+    def fail_with(self, code, *arguments, **options):
+        """One line of error, nothing on standard output, no file made or changed."""
+        before = sorted(os.listdir(self.folder))
+        run = self.run_tool(*arguments, **options)
+        self.assertEqual(run.returncode, code, f"{arguments}: {run.stderr}")
+        self.assertRegex(run.stderr, r"\Asmoothshadow: error: [^\n]+\n\Z")
+        self.assertEqual(run.stdout, "")
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+        return run.stderr
+
+    def fail_in(self, file, what, *arguments, **options):
+        """Exit code 1, and the line says WHAT, in WHICH FILE, what to do."""
+        message = self.fail_with(1, *arguments, **options)
+        pattern = r"\Asmoothshadow: error: .*" + what + ".*, in " + re.escape(file) + r", .+\n\Z"
+        self.assertRegex(message, pattern)
+
+
+class GoodRuns(ToolTest):
+    def render(self, mesh, name, *options):
+        """Statistics and picture."""
+        statistics = self.statistics("render", mesh, "-o", name, *options)
+        return statistics, Meshes.Image(self.path(name))
+
+    def test_bunny_in_every_kind(self):
+        size = ("--ground", "--size", "240x180")
+        plain, unshadowed = self.render(BUNNY, "none.png", "--kind", "none", *size)
+        self.assertEqual(plain["lights"][0]["shadowedPixels"], 0)
+        self.assertGreater(len(set(unshadowed.data)), 50)
+        for kind in ("discrete", "accurate", "smooth"):
+            statistics, picture = self.render(
+                BUNNY, kind + ".png", "--kind", kind, "--mask", "mask.png", *size)
+            mask = Meshes.Image(self.path("mask.png"))
+            self.check_statistics(statistics, kind)
+            self.check_pictures(statistics, unshadowed, picture, mask)
+
+    def check_statistics(self, statistics, kind):
+        self.assertEqual(statistics["kind"], kind)
+        self.assertEqual((statistics["width"], statistics["height"]), (240, 180))
+        self.assertTrue(statistics["renderer"])
+        self.assertGreater(statistics["frameMilliseconds"], 0)
+        self.assertEqual(statistics["meshes"][0]["triangles"], BUNNY_TRIANGLES)
+        self.assertEqual(statistics["meshes"][0]["normals"], "computed")
+
+    def check_pictures(self, statistics, unshadowed, picture, mask):
+        for image, channels in ((unshadowed, 3), (picture, 3), (mask, 1)):
+            self.assertEqual((image.width, image.height, image.channels), (240, 180, channels))
+        self.assertEqual(set(mask.data), {0, 255})
+        shadowed = mask.data.count(0)
+        self.assertEqual(statistics["lights"][0]["shadowedPixels"], shadowed)
+        self.assertGreater(shadowed, 0.03 * len(mask.data))
+        self.assertLess(shadowed, 0.5 * len(mask.data))
+        darker = 0
+        for i, visible in enumerate(mask.data):
+            before, after = unshadowed.pixel(i), picture.pixel(i)
+            if visible:
+                self.assertLessEqual(max(abs(a - b) for a, b in zip(before, after)), 1)
+            else:
+                self.assertLessEqual(max(a - b for a, b in zip(after, before)), 1)
+                darker += sum(before) > sum(after) + 30
+        # On the ground, at least, the light that is taken away is missed.
+        self.assertGreater(darker, 0.3 * shadowed)
+
+    def test_repeats_exactly(self):
+        for name in ("first.png", "second.png"):
+            self.succeed("render", BUNNY, "-o", name, "--ground", "--size", "160x120")
+        self.assertEqual(Meshes.Image(self.path("first.png")).data,
+                         Meshes.Image(self.path("second.png")).data)
+
+    def test_frames_and_moving_lights_leave_the_picture(self):
+        mesh = Meshes.write_sphere(self.path("sphere.vtp"))
+        _, still = self.render(mesh, "still.png", "--ground", "--size", "160x120")
+        statistics, moved = self.render(
+            mesh, "moved.png", "--ground", "--size", "160x120", "--frames", "3", "--move-lights")
+        self.assertEqual(statistics["frames"], 3)
+        self.assertTrue(statistics["lightsMoved"])
+        self.assertEqual(still.data, moved.data)
+
+    def test_several_lights_and_meshes(self):
+        sphere = Meshes.write_sphere(self.path("sphere.vtp"))
+        tetrahedron = Meshes.write_tetrahedron(self.path("tetrahedron.obj"))
+        statistics, _ = self.render(
+            sphere, "picture.png", tetrahedron, "--ground", "--size", "160x120", "--mask",
+            "mask.png", "--light", "-2,3,1", "--light", "1,2,.5,0", "--light=-4,6,2,2")
+        lights = statistics["lights"]
+        self.assertEqual([light["position"] for light in lights],
+                         [[-2, 3, 1, 1], [1, 2, 0.5, 0], [-2, 3, 1, 1]])
+        self.assertEqual([light["mask"] for light in lights],
+                         ["mask.png", "mask-2.png", "mask-3.png"])
+        masks = [Meshes.Image(self.path(light["mask"])).data for light in lights]
+        self.assertEqual([mask.count(0) for mask in masks],
+                         [light["shadowedPixels"] for light in lights])
+        self.assertEqual(masks[0], masks[2])
+        self.assertNotEqual(masks[0], masks[1])
+        self.assertEqual(len(statistics["meshes"]), 2)
+
+    def test_supersampling_keeps_size_and_shadow(self):
+        mesh = Meshes.write_sphere(self.path("sphere.vtp"))
+        once, _ = self.render(mesh, "once.png", "--ground", "--size", "160x120")
+        thrice, picture = self.render(
+            mesh, "thrice.png", "--ground", "--size", "160x120", "--supersample", "3")
+        self.assertEqual((picture.width, picture.height), (160, 120))
+        pixels = once["lights"][0]["shadowedPixels"]
+        self.assertGreater(pixels, 500)
+        self.assertAlmostEqual(
+            thrice["lights"][0]["shadowedPixels"], pixels, delta=0.05 * pixels)
+
+    def test_camera_is_the_users(self):
+        mesh = Meshes.write_sphere(self.path("sphere.vtp"))
+        statistics, _ = self.render(mesh, "picture.png", "--size", "64x64", "--eye", "-1,2,9",
+                                    "--at", "0,.1,0", "--up", "0,0,1", "--angle", "20")
+        self.assertEqual(statistics["camera"],
+                         {"eye": [-1, 2, 9], "at": [0, 0.1, 0], "up": [0, 0, 1], "angle": 20})
+        self.render(mesh, "above.png", "--size", "64x64", "--eye", "0,9,0", "--at", "0,0,0")
+
+    def test_mesh_fits_into_the_picture(self):
+        # A border that is all background: the default camera cuts nothing off.
+        mesh = Meshes.write_tetrahedron(self.path("tetrahedron.obj"), apex=(0.2, 5, 1))
+        for size in ("200x80", "80x200"):
+            _, picture = self.render(mesh, "picture.png", "--size", size, "--kind", "none")
+            border = [x + y * picture.width for y in range(picture.height)
+                      for x in range(picture.width)
+                      if x in (0, picture.width - 1) or y in (0, picture.height - 1)]
+            self.assertEqual(len({picture.pixel(i) for i in border}), 1)
+            self.assertGreater(len(set(picture.data)), 6)
+
+
+class Formats(ToolTest):
+    def test_every_format(self):
+        names = ["a.ply", "a.stl", "a.obj", "a.vtk", "a.vtp", "a.gltf", "a.PLY"]
+        meshes = [Meshes.write_sphere(self.path(name.lower()), binary)
+                  for name in names[:6] for binary in (False, True)]
+        os.rename(self.path("a.ply"), self.path("a.PLY"))
+        for name in names[1:]:
+            with self.subTest(name):
+                statistics = self.statistics("volume", name, "-o", "out.vtp", "--light", "1,2,3")
+                self.assertEqual(statistics["mesh"]["polygons"], Meshes.SPHERE_TRIANGLES)
+                self.assertEqual(statistics["mesh"]["boundaryEdges"], 0)
+                self.assertTrue(statistics["closed"])
+        self.assertEqual(len(meshes), 12)
+
+    def test_ascii(self):
+        for name in ("a.ply", "a.stl", "a.vtk", "a.vtp"):
+            with self.subTest(name):
+                Meshes.write_sphere(self.path(name), binary=False)
+                statistics = self.statistics("volume", name, "-o", "out.vtp", "--light", "1,2,3")
+                self.assertEqual(statistics["mesh"]["polygons"], Meshes.SPHERE_TRIANGLES)
+
+    def test_3ds(self):
+        statistics = self.statistics("render", CAT, "-o", "cat.png", "--up", "0,0,1", "--ground",
+                                     "--size", "160x120")
+        self.assertGreater(statistics["meshes"][0]["triangles"], 1000)
+        self.assertGreater(statistics["lights"][0]["shadowedPixels"], 300)
+
+
+class SilhouetteAndVolume(ToolTest):
+    def test_silhouette(self):
+        for kind in ("discrete", "accurate", "smooth"):
+            with self.subTest(kind):
+                statistics = self.statistics("silhouette", BUNNY, "-o", "out.vtp", "--light",
+                                             "-2,3,4", "--kind", kind, "--repeat", "3")
+                curves = Meshes.read_polydata(self.path("out.vtp"))
+                self.check_silhouette(statistics, curves, kind)
+
+    def check_silhouette(self, statistics, curves, kind):
+        self.assertEqual(statistics["kind"], kind)
+        self.assertEqual(statistics["loops"], curves.GetNumberOfLines())
+        self.assertEqual(statistics["points"], curves.GetNumberOfPoints())
+        self.assertGreater(statistics["loops"], 10)
+        self.assertGreater(statistics["milliseconds"], 0)
+        self.assertEqual(statistics["mesh"]["polygons"], BUNNY_TRIANGLES)
+        self.assertEqual(statistics["mesh"]["nonFiniteCells"], 0)
+        for loop in range(curves.GetNumberOfLines()):
+            ids = curves.GetCell(loop).GetPointIds()
+            self.assertEqual(ids.GetId(0), ids.GetId(ids.GetNumberOfIds() - 1))
+        self.assertEqual(curves.GetPoints().GetData().GetDataTypeAsString(), "double")
+        self.assertEqual(curves.GetPointData().GetArray("Normals").GetDataTypeAsString(), "double")
+        self.assertEqual(curves.GetFieldData().GetArray("LightPosition").GetTuple(0),
+                         (-2, 3, 4, 1))
+        deviation = curves.GetFieldData().GetArray("MaximumDeviation").GetValue(0)
+        self.assertEqual(statistics["maximumDeviation"], deviation)
+
+    def test_tolerance(self):
+        Meshes.write_sphere(self.path("sphere.vtp"))
+        common = ("silhouette", "sphere.vtp", "-o", "out.vtp", "--light", "1,2,3")
+        coarse = self.statistics(*common, "--tolerance", "1e-2")
+        fine = self.statistics(*common, "--tolerance", "1e-6")
+        world = self.statistics(*common, "--tolerance", "1e-6", "--tolerance-mode", "world")
+        self.assertGreater(fine["points"], coarse["points"])
+        self.assertLessEqual(world["maximumDeviation"], 1e-6)
+        self.assertGreaterEqual(world["points"], fine["points"])
+
+    def test_output_is_binary(self):
+        Meshes.write_sphere(self.path("sphere.vtp"))
+        self.succeed("silhouette", "sphere.vtp", "-o", "out.vtp", "--light", "1,2,3")
+        with open(self.path("out.vtp"), "rb") as file:
+            self.assertIn(b'<AppendedData encoding="raw">', file.read())
+
+    def test_volume(self):
+        for kind in ("discrete", "accurate", "smooth"):
+            with self.subTest(kind):
+                statistics = self.statistics(
+                    "volume", BUNNY, "-o", "out.vtp", "--light", "-2,3,4", "--kind", kind)
+                volume = Meshes.read_polydata(self.path("out.vtp"))
+                triangles = statistics["triangles"]
+                parts = volume.GetCellData().GetArray("Part")
+                counts = [0, 0, 0, 0]
+                for i in range(parts.GetNumberOfValues()):
+                    counts[int(parts.GetValue(i))] += 1
+                self.assertEqual([triangles[part] for part in ("cap", "gap", "wall", "farCap")],
+                                 counts)
+                self.assertEqual(triangles["all"], volume.GetNumberOfPolys())
+                self.assertGreater(triangles["wall"], 1000)
+                self.assertTrue(statistics["closed"])
+                homogeneous = volume.GetPointData().GetArray("Homogeneous")
+                self.assertEqual(homogeneous.GetDataTypeAsString(), "double")
+
+    def test_caps(self):
+        Meshes.write_sphere(self.path("sphere.vtp"))
+        common = ("volume", "sphere.vtp", "-o", "out.vtp", "--light", "1,2,3", "--kind", "discrete")
+        counts = {caps: self.statistics(*common, "--caps", caps)["triangles"]["cap"]
+                  for caps in ("automatic", "lit", "dark", "none")}
+        self.assertEqual(counts["automatic"], counts["dark"])
+        self.assertEqual(counts["lit"] + counts["dark"], Meshes.SPHERE_TRIANGLES)
+        self.assertEqual(counts["none"], 0)
+
+    def test_length(self):
+        Meshes.write_sphere(self.path("sphere.vtp"))
+        self.succeed("volume", "sphere.vtp", "-o", "out.vtp", "--light", "0,0,1,0", "--length",
+                     "7", "--kind", "discrete")
+        bounds = Meshes.read_polydata(self.path("out.vtp")).GetBounds()
+        self.assertLess(bounds[4], -6.4)
+        self.assertGreater(bounds[4], -7.6)
+
+    def test_without_json_a_line_for_people(self):
+        Meshes.write_sphere(self.path("sphere.vtp"))
+        line = self.succeed("silhouette", "sphere.vtp", "-o", "out.vtp", "--light", "1,2,3")
+        self.assertRegex(line, r"\Aout\.vtp: \d+ loops, \d+ points, .*\n\Z")
+
+
+class WrongUsage(ToolTest):
+    RENDER = ("render", "mesh.obj", "-o", "out.png")
+    SILHOUETTE = ("silhouette", "mesh.obj", "-o", "out.vtp", "--light", "1,2,3")
+    VOLUME = ("volume", "mesh.obj", "-o", "out.vtp", "--light", "1,2,3")
+
+    def test_messages_name_option_and_value(self):
+        Meshes.write_tetrahedron(self.path("mesh.obj"))
+        cases = [
+            ((), "subcommand"),
+            (("paint", "mesh.obj"), "paint: no such command"),
+            (("render",), "required"),
+            (("render", "mesh.obj"), "--output"),
+            (("render", "mesh.obj", "-o", "out.jpg"), "--output out.jpg"),
+            (("silhouette", "mesh.obj", "-o", "out.png", "--light", "1,2,3"), "--output out.png"),
+            (("silhouette", "mesh.obj", "-o", "out.vtp"), "--light"),
+            ((*self.RENDER, "--light", "nan,0,0"), "--light nan,0,0: 'nan' is not finite"),
+            ((*self.RENDER, "--light", "-inf,0,0"), "--light -inf,0,0: '-inf' is not finite"),
+            ((*self.RENDER, "--light", "1e999,0,0"), "1e999"),
+            ((*self.RENDER, "--light", "0,0,0,0"), "--light 0,0,0,0"),
+            ((*self.RENDER, "--light", "1,2"), "--light 1,2"),
+            ((*self.RENDER, "--light", "1,2,3,4,5"), "--light 1,2,3,4,5"),
+            ((*self.RENDER, "--light", "1,2,x"), "'x' is not a number"),
+            ((*self.RENDER, "--light", "1,2,"), "'' is not a number"),
+            ((*self.RENDER, "--light", "1e300,0,0,1e-300"), "1e300,0,0,1e-300"),
+            ((*self.RENDER, "--light"), "--light"),
+            ((*self.RENDER, "--eye", "1,nan,2"), "--eye 1,nan,2"),
+            ((*self.RENDER, "--up", "0,0,0"), "--up 0,0,0"),
+            ((*self.RENDER, "--angle", "180"), "--angle 180"),
+            ((*self.RENDER, "--angle", "-3"), "--angle -3"),
+            ((*self.RENDER, "--size", "640"), "--size 640"),
+            ((*self.RENDER, "--size", "0x480"), "--size 0"),
+            ((*self.RENDER, "--size", "99999x480"), "99999"),
+            ((*self.RENDER, "--supersample", "0"), "--supersample 0"),
+            ((*self.RENDER, "--size", "9000x9000", "--supersample", "2"), "--supersample 2"),
+            ((*self.RENDER, "--frames", "-1"), "--frames -1"),
+            ((*self.RENDER, "--kind", "soft"), "soft"),
+            ((*self.RENDER, "--window", "x11"), "x11"),
+            ((*self.RENDER, "--mask", "mask.tif"), "--mask mask.tif"),
+            ((*self.RENDER, "--shiny"), "--shiny"),
+            ((*self.SILHOUETTE, "--kind", "none"), "none"),
+            ((*self.SILHOUETTE, "--tolerance", "0"), "--tolerance 0"),
+            ((*self.SILHOUETTE, "--tolerance", "nan"), "--tolerance nan"),
+            ((*self.SILHOUETTE, "--tolerance-mode", "pixels"), "pixels"),
+            ((*self.SILHOUETTE, "--feature-angle", "181"), "--feature-angle 181"),
+            ((*self.SILHOUETTE, "second.obj"), "second.obj"),
+            ((*self.VOLUME, "--caps", "far"), "far"),
+            ((*self.VOLUME, "--length", "-1"), "--length -1"),
+        ]
+        for arguments, named in cases:
+            with self.subTest(arguments):
+                message = self.fail_with(2, *arguments)
+                self.assertIn(named, message)
+
+    def test_help(self):
+        for command, named in ((), "silhouette"), (("render",), "--mask"), \
+                (("silhouette",), "--tolerance"), (("volume",), "--caps"):
+            self.assertIn(named, self.succeed(*command, "--help"))
+
+
+class BadInput(ToolTest):
+    def refuse(self, file, what):
+        """By every command."""
+        light = ("--light", "1,2,3")
+        self.fail_in(file, what, "render", file, "-o", "out.png", "--ground", "--mask", "mask.png")
+        self.fail_in(file, what, "silhouette", file, "-o", "out.vtp", *light)
+        self.fail_in(file, what, "volume", file, "-o", "out.vtp", *light, "--json")
+
+    def write(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content)
+        return name
+
+    def test_missing(self):
+        self.refuse("missing.ply", "no such file")
+
+    def test_folder(self):
+        os.mkdir(self.path("folder.ply"))
+        self.refuse("folder.ply", "folder")
+
+    def test_unknown_format(self):
+        self.refuse(self.write("mesh.docx", b"PK"), "format")
+
+    def test_empty(self):
+        for extension in ("ply", "stl", "obj", "vtk", "vtp", "gltf", "glb", "3ds"):
+            with self.subTest(extension):
+                self.refuse(self.write("empty." + extension, b""), "empty")
+
+    def test_not_a_mesh(self):
+        contents = (b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 20, b"Dear reader,\nno mesh.\n" * 50)
+        for extension in ("ply", "stl", "obj", "vtk", "vtp", "gltf", "glb", "3ds"):
+            for content in contents:
+                with self.subTest(extension=extension, content=content[:4]):
+                    self.refuse(self.write("letter." + extension, content), "")
+
+    def test_second_mesh_of_two(self):
+        Meshes.write_sphere(self.path("good.ply"))
+        self.fail_in("missing.ply", "no such file", "render", "good.ply", "missing.ply", "-o",
+                     "out.png")
+
+    def test_cut_short(self):
+        for extension in ("ply", "stl", "vtk", "vtp", "gltf"):
+            for binary in (False, True):
+                mesh = Meshes.write_sphere(self.path("whole." + extension), binary)
+                with open(mesh, "rb") as file:
+                    whole = file.read()
+                os.remove(mesh)
+                for part in (0.02, 0.3, 0.6, 0.9):
+                    with self.subTest(extension=extension, binary=binary, part=part):
+                        cut = self.write("cut." + extension, whole[:int(part * len(whole))])
+                        self.fail_in(cut, "", "silhouette", cut, "-o", "out.vtp", "--light",
+                                     "1,2,3")
+
+    def test_obj_cut_short(self):
+        # Before the first face, and within a face; between two faces nothing shows.
+        with open(BUNNY, "rb") as file:
+            whole = file.read()
+        face = whole.rindex(b"f ")
+        for end in (100000, whole.index(b"f ") - 1, face + 3):
+            with self.subTest(end):
+                cut = self.write("cut.obj", whole[:end])
+                self.fail_in(cut, "", "silhouette", cut, "-o", "out.vtp", "--light", "1,2,3")
+
+    def test_faces_without_their_points(self):
+        mesh = self.write("mesh.vtk", b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n"
+                          b"POINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 7\n")
+        self.refuse(mesh, "point 7 of 3")
+        header = (b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                  b"property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+                  b"end_header\n0 0 0\n1 0 0\n0 1 0\n")
+        self.refuse(self.write("mesh.ply", header + b"3 0 1 -2\n"), "point -2 of 3")
+
+    def test_no_polygon(self):
+        self.refuse(self.write("points.obj", b"v 0 0 0\nv 1 0 0\nl 1 2\n"), "no polygon")
+
+    def test_broken_ply_headers(self):
+        for content in (b"ply\n", b"ply\nformat ascii 1.0\nelement\nend_header\n",
+                        b"ply\nformat ascii 1.0\nelement vertex many\nend_header\n",
+                        b"ply\nformat ascii 1.0\nelement vertex 1\nproperty\nend_header\n0\n",
+                        b"ply\nformat ascii 1.0\nelement vertex 1\nproperty vec x\nend_header\n0\n",
+                        b"ply\nformat ascii 1.0\nproperty float x\nend_header\n",
+                        b"ply\nelement vertex 1\nproperty float x\nend_header\n0\n",
+                        b"ply\nformat base64 1.0\nelement vertex 0\nend_header\n"):
+            with self.subTest(content):
+                self.refuse(self.write("mesh.ply", content), "PLY")
+
+
+class NonFinitePoints(ToolTest):
+    """What is finite of a mesh still casts; what is not is counted."""
+
+    def test_one_point(self):
+        mesh = self.path("mesh.vtp")
+        for value in (math.nan, math.inf, -math.inf):
+            with self.subTest(value):
+                touched = Meshes.write_broken_sphere(mesh, value, point=40)
+                self.assertGreater(touched, 3)
+                statistics = self.statistics(
+                    "silhouette", mesh, "-o", "out.vtp", "--light", "2,3,4")
+                self.assertEqual(statistics["mesh"]["nonFiniteCells"], touched)
+                self.assertGreater(statistics["loops"], 0)
+                statistics = self.statistics("volume", mesh, "-o", "out.vtp", "--light", "2,3,4")
+                self.assertTrue(statistics["closed"])
+                statistics = self.statistics("render", mesh, "-o", "out.png", "--ground", "--size",
+                                             "160x120")
+                self.assertEqual(statistics["meshes"][0]["nonFiniteTriangles"], touched)
+                self.assertGreater(statistics["lights"][0]["shadowedPixels"], 500)
+
+    def test_no_finite_triangle(self):
+        mesh = self.path("mesh.vtp")
+        touched = Meshes.write_broken_sphere(mesh, math.nan)
+        self.assertEqual(touched, Meshes.SPHERE_TRIANGLES)
+        self.fail_in(mesh, "finite", "render", mesh, "-o", "out.png")
+        statistics = self.statistics("silhouette", mesh, "-o", "out.vtp", "--light", "2,3,4")
+        self.assertEqual(statistics["loops"], 0)
+        self.assertEqual(statistics["mesh"]["nonFiniteCells"], touched)
+
+    def test_obj_coordinates_that_are_no_numbers(self):
+        # Its reader would take them for 0.
+        for value in ("nan", "inf", "x"):
+            mesh = Meshes.write_tetrahedron(self.path("mesh.obj"), apex=(0, 0, value))
+            self.fail_in(mesh, "line 4", "silhouette", mesh, "-o", "out.vtp", "--light", "2,3,4")
+
+
+class Output(ToolTest):
+    def setUp(self):
+        super().setUp()
+        Meshes.write_sphere(self.path("sphere.vtp"))
+
+    def commands(self, image, data):
+        light = ("--light", "1,2,3")
+        return (("render", "sphere.vtp", "-o", image),
+                ("render", "sphere.vtp", "-o", "out.png", "--mask", image),
+                ("silhouette", "sphere.vtp", "-o", data, *light),
+                ("volume", "sphere.vtp", "-o", data, *light))
+
+    def test_folder_as_output(self):
+        os.mkdir(self.path("a.png"))
+        os.mkdir(self.path("a.vtp"))
+        for command in self.commands("a.png", "a.vtp"):
+            self.fail_in("a." + ("png" if command[0] == "render" else "vtp"), "folder", *command)
+
+    def test_missing_folder(self):
+        for command in self.commands("no/a.png", "no/a.vtp"):
+            self.fail_in("no", "does not exist", *command)
+
+    def test_unwritable(self):
+        # Nobody may make files there, root neither.
+        for command in self.commands("/proc/a.png", "/proc/a.vtp"):
+            self.fail_in("/proc/a." + ("png" if command[0] == "render" else "vtp"),
+                         "cannot be written", *command)
+
+    def test_no_room(self):
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+
+        # Shader caches would be cut short too, which is none of the tool's doing.
+        environment = dict(os.environ, MESA_SHADER_CACHE_DISABLE="true")
+        for command in self.commands("a.png", "a.vtp"):
+            with self.subTest(command):
+                self.fail_with(1, *command, preexec_fn=limit, env=environment)
+
+    def test_failure_leaves_what_was_there(self):
+        with open(self.path("out.vtp"), "w") as file:
+            file.write("precious")
+        self.fail_with(1, "silhouette", "missing.vtp", "-o", "out.vtp", "--light", "1,2,3")
+        with open(self.path("out.vtp")) as file:
+            self.assertEqual(file.read(), "precious")
+
+    def test_success_replaces_it(self):
+        for name in ("out.vtp", "elsewhere.vtp"):
+            with open(self.path(name), "w") as file:
+                file.write("old")
+        os.symlink("elsewhere.vtp", self.path("link.vtp"))
+        for name in ("out.vtp", "link.vtp"):
+            self.succeed("silhouette", "sphere.vtp", "-o", name, "--light", "1,2,3")
+            self.assertGreater(Meshes.read_polydata(self.path(name)).GetNumberOfLines(), 0)
+        self.assertTrue(os.path.islink(self.path("link.vtp")))
+        self.assertEqual(sorted(os.listdir(self.folder)),
+                         ["elsewhere.vtp", "link.vtp", "out.vtp", "sphere.vtp"])
+
+    def test_rights_are_those_of_any_new_file(self):
+        self.succeed("silhouette", "sphere.vtp", "-o", "out.vtp", "--light", "1,2,3",
+                     preexec_fn=lambda: os.umask(0o027))
+        self.assertEqual(os.stat(self.path("out.vtp")).st_mode & 0o777, 0o640)
+
+
+class Windows(ToolTest):
+    def test_osmesa_twin_draws_the_same(self):
+        twin = TOOL + "-osmesa"
+        if not os.path.exists(twin):
+            self.skipTest("built without OSMesa")
+        Meshes.write_sphere(self.path("sphere.vtp"))
+        common = ("render", "sphere.vtp", "--ground", "--size", "320x240")
+        egl = self.statistics(*common, "-o", "egl.png", "--mask", "egl-mask.png")
+        osmesa = self.statistics(
+            *common, "-o", "osmesa.png", "--mask", "osmesa-mask.png", tool=twin)
+        self.assertEqual((egl["window"], osmesa["window"]), ("egl", "osmesa"))
+        first, second = (Meshes.Image(self.path(name + "-mask.png")) for name in ("egl", "osmesa"))
+        self.assertGreater(first.data.count(0), 2000)
+        differing = sum(a != b for a, b in zip(first.data, second.data))
+        self.assertLess(differing, 20)
+
+    def test_missing_window_says_why(self):
+        Meshes.write_sphere(self.path("sphere.vtp"))
+        environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+        self.fail_in("--window native", "no window", "render", "sphere.vtp", "-o", "out.png",
+                     "--window", "native", env=environment)
+        self.fail_in("--window osmesa", "no window", "render", "sphere.vtp", "-o", "out.png",
+                     "--window", "osmesa")
+
+
+class Terminal(ToolTest):
+    def test_progress_on_a_terminal_only(self):
+        Meshes.write_sphere(self.path("sphere.vtp"))
+        leader, follower = pty.openpty()
+        run = subprocess.run(
+            [TOOL, "silhouette", "sphere.vtp", "-o", "out.vtp", "--light", "1,2,3"],
+            cwd=self.folder, stdout=subprocess.PIPE, stderr=follower, timeout=60)
+        os.close(follower)
+        shown = os.read(leader, 65536).decode()
+        os.close(leader)
+        self.assertEqual(run.returncode, 0)
+        self.assertIn("reading sphere.vtp", shown)
+        self.assertTrue(shown.endswith("\r\x1b[K"), "the line is not cleared")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,72 @@
+"""The wrapped modules import beside the distribution's VTK, whose pipelines take their classes."""
+import math
+import unittest
+
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+from smoothshadow.vtkFiltersShadow import vtkShadowVolumeExtruder, vtkSmoothLightSilhouette
+from smoothshadow.vtkRenderingOffscreen import vtkOffscreenWindows
+from smoothshadow.vtkRenderingShadow import vtkStencilShadowPass
+
+
+class Modules(unittest.TestCase):
+    def silhouette(self, source):
+        silhouette = vtkSmoothLightSilhouette()
+        silhouette.SetInputConnection(source.GetOutputPort())
+        return silhouette
+
+    def sphere(self):
+        sphere = vtkSphereSource()
+        sphere.SetThetaResolution(24)
+        sphere.SetPhiResolution(16)
+        sphere.SetOutputPointsPrecision(1)
+        return sphere
+
+    def test_defaults_and_properties(self):
+        silhouette = vtkSmoothLightSilhouette()
+        self.assertEqual(silhouette.GetLightPosition(), (0, 0, 1, 0))
+        self.assertEqual(silhouette.GetKind(), vtkSmoothLightSilhouette.SMOOTH)
+        silhouette.SetKindToDiscrete()
+        self.assertEqual(silhouette.GetKind(), vtkSmoothLightSilhouette.DISCRETE)
+        shadows = vtkStencilShadowPass()
+        self.assertEqual(shadows.GetKind(), vtkStencilShadowPass.SMOOTH)
+        for thing in (silhouette, shadows, vtkShadowVolumeExtruder()):
+            self.assertIn(thing.GetClassName(), str(thing))
+
+    def test_silhouette_of_a_sphere(self):
+        # Seen from (0, 0, 2) it is the circle at z = r^2 / 2.
+        silhouette = self.silhouette(self.sphere())
+        silhouette.SetLightPosition(0, 0, 2, 1)
+        silhouette.Update()
+        curves = silhouette.GetOutput()
+        self.assertEqual(curves.GetNumberOfLines(), 1)
+        self.assertGreater(curves.GetNumberOfPoints(), 20)
+        for i in range(curves.GetNumberOfPoints()):
+            x, y, z = curves.GetPoint(i)
+            self.assertAlmostEqual(math.sqrt(x * x + y * y + z * z), 0.5, delta=2e-3)
+            self.assertAlmostEqual(z, 0.125, delta=2e-3)
+
+    def test_volume_is_closed(self):
+        sphere = self.sphere()
+        silhouette = self.silhouette(sphere)
+        volume = vtkShadowVolumeExtruder()
+        volume.SetInputConnection(sphere.GetOutputPort())
+        volume.SetSilhouetteConnection(silhouette.GetOutputPort())
+        volume.Update()
+        self.assertGreater(volume.GetOutput().GetNumberOfPolys(), 100)
+        self.assertEqual(volume.GetOutput().GetFieldData().GetArray("Closed").GetValue(0), 1)
+
+    def test_empty_in_empty_out(self):
+        silhouette = vtkSmoothLightSilhouette()
+        silhouette.SetInputData(vtkPolyData())
+        silhouette.Update()
+        self.assertEqual(silhouette.GetOutput().GetNumberOfCells(), 0)
+
+    def test_windows_say_why_not(self):
+        self.assertIsNone(vtkOffscreenWindows.NewWindow("balcony"))
+        self.assertIn("balcony", vtkOffscreenWindows.GetLastReason())
+
+
+if __name__ == "__main__":
+    unittest.main()
