@@ -21,7 +21,6 @@ Caster::Caster(TriangleMesh mesh, double featureAngle)
   this->Weights = findChainWeights(this->Mesh, this->Edges);
   this->Defects = countEdgeDefects(this->Mesh, this->Edges);
   this->LinkEdges = findLinkEdges(this->Mesh, this->Edges, this->Weights);
-  this->CurveOf.assign(this->Edges.edges.size(), None);
   if (!this->Mesh.points.empty())
   {
     Vec3 low = this->Mesh.points[0];
@@ -36,38 +35,44 @@ Caster::Caster(TriangleMesh mesh, double featureAngle)
   }
 }
 
+std::vector<EdgeCurve> Caster::curves(const std::vector<Index>& wanted, const RangeLoop& loop)
+{
+  return this->EdgeCurves.get(this->Mesh, this->Edges, wanted, loop);
+}
+
+Light Caster::offTheSurface(const Light& light) const
+{
+  if (light.isDirectional() || glm::length(light.toward(this->Centre)) > light.w * this->Radius)
+  {
+    return light;
+  }
+  for (std::size_t n = 0; n < this->Mesh.normals.size(); ++n)
+  {
+    if (light.toward(this->Mesh.points[this->Mesh.normalVertex[n]]) == Vec3(0.0))
+    {
+      Light above = light;
+      above.position += 1e-6 * this->Radius * light.w * this->Mesh.normals[n];
+      return above;
+    }
+  }
+  return light;
+}
+
 std::shared_ptr<const SilhouetteChain> Caster::silhouette(
   const Light& light, SilhouetteKind kind, const RangeLoop& loop)
 {
-  const std::lock_guard<std::mutex> lock(this->Guard);
-  if (!this->Last || !(this->Last->light == light) || this->Last->kind != kind)
   {
-    this->Last =
-      std::make_shared<const SilhouetteChain>(buildSilhouetteChain(*this, light, kind, loop));
-  }
-  return this->Last;
-}
-
-void Caster::ensureCurves(const std::vector<Index>& edgeList, const RangeLoop& loop)
-{
-  std::vector<Index> missing;
-  for (const Index e : edgeList)
-  {
-    if (this->CurveOf[e] == None)
+    const std::lock_guard<std::mutex> lock(this->Guard);
+    if (this->Last && this->LastLight == light && this->Last->kind == kind)
     {
-      this->CurveOf[e] = static_cast<Index>(this->Curves.size() + missing.size());
-      missing.push_back(e);
+      return this->Last;
     }
   }
-  const std::size_t first = this->Curves.size();
-  this->Curves.resize(first + missing.size());
-  loop(missing.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        this->Curves[first + i] = makeEdgeCurve(this->Mesh, this->Edges, missing[i]);
-      }
-    });
+  auto chain = std::make_shared<const SilhouetteChain>(
+    buildSilhouetteChain(*this, this->offTheSurface(light), kind, loop));
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  this->LastLight = light;
+  this->Last = chain;
+  return chain;
 }
 }

@@ -6,16 +6,6 @@ namespace shadow
 {
 namespace
 {
-int sumOfSigns(const TriangleMesh& mesh, const EdgeTable& edges, Index edge)
-{
-  int sum = 0;
-  for (Index i = edges.firstSide[edge]; i < edges.firstSide[edge + 1]; ++i)
-  {
-    sum += sideSign(mesh, edges, edge, edges.sides[i]);
-  }
-  return sum;
-}
-
 bool piecesCancel(const TriangleMesh& mesh, const EdgeTable& edges, const ChainWeights& weights,
   Index edge)
 {
@@ -62,7 +52,7 @@ std::vector<SideNormals> distinctNormals(
 
 EdgeKind edgeKind(const TriangleMesh& mesh, const EdgeTable& edges, Index edge)
 {
-  if (edges.sideCount(edge) < 2 || sumOfSigns(mesh, edges, edge) != 0)
+  if (edges.sideCount(edge) < 2 || signSum(mesh, edges, edge) != 0)
   {
     return EdgeKind::Border;
   }
@@ -78,7 +68,7 @@ EdgeDefects countEdgeDefects(const TriangleMesh& mesh, const EdgeTable& edges)
     const Index sides = edges.sideCount(e);
     defects.boundary += sides == 1;
     defects.nonManifold += sides > 2;
-    defects.inconsistent += sides == 2 && sumOfSigns(mesh, edges, e) != 0;
+    defects.inconsistent += sides == 2 && signSum(mesh, edges, e) != 0;
   }
   return defects;
 }

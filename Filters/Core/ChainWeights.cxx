@@ -34,30 +34,17 @@ std::vector<Index> connectedParts(const TriangleMesh& mesh, const EdgeTable& edg
 }
 }
 
-ChainWeight ChainWeights::silhouette(FieldKind kind, Index triangle) const
+std::vector<bool> ChainWeights::capsOnDarkField(FieldKind kind, CapSide side) const
 {
-  if (kind == FieldKind::Corner)
+  std::vector<bool> onDark;
+  for (const MeshPart& part : this->parts)
   {
-    return this->corner[triangle];
+    // Where the field's normals point inwards, what it calls lit is the side away from the light.
+    const bool agree = kind == FieldKind::Face || part.normalsAgree;
+    const bool fieldIsOutward = part.outward == agree;
+    onDark.push_back(part.closed && (side == CapSide::Lit) != fieldIsOutward);
   }
-  return this->parts[this->part[triangle]].closed ? ChainWeight{ 1, 0 } : ChainWeight{ 1, -1 };
-}
-
-ChainWeight ChainWeights::cap(FieldKind kind, CapSide side, Index triangle) const
-{
-  const ChainWeight weight = this->silhouette(kind, triangle);
-  const MeshPart& part = this->parts[this->part[triangle]];
-  if (!part.closed)
-  {
-    return weight;
-  }
-  // Where the field's normals point inwards, what it calls lit is the side away from the light.
-  const bool agree = kind == FieldKind::Face || part.normalsAgree;
-  const bool fieldIsOutward = part.outward == agree;
-  const bool takeLitField = (side == CapSide::Lit) == fieldIsOutward;
-  // Lit and dark part together are the whole closed part, which has no boundary: one of them and
-  // the other one reversed bound the same.
-  return takeLitField ? weight : ChainWeight{ 0, static_cast<std::int8_t>(-weight.lit) };
+  return onDark;
 }
 
 ChainWeights findChainWeights(const TriangleMesh& mesh, const EdgeTable& edges)
@@ -68,12 +55,7 @@ ChainWeights findChainWeights(const TriangleMesh& mesh, const EdgeTable& edges)
   result.parts.resize(partCount);
   for (std::size_t e = 0; e < edges.edges.size(); ++e)
   {
-    int sum = 0;
-    for (Index i = edges.firstSide[e]; i < edges.firstSide[e + 1]; ++i)
-    {
-      sum += sideSign(mesh, edges, static_cast<Index>(e), edges.sides[i]);
-    }
-    if (sum != 0)
+    if (signSum(mesh, edges, static_cast<Index>(e)) != 0)
     {
       result.parts[result.part[edges.sides[edges.firstSide[e]] / 3]].closed = false;
     }
@@ -96,15 +78,16 @@ ChainWeights findChainWeights(const TriangleMesh& mesh, const EdgeTable& edges)
     result.parts[p].normalsAgree = !(agreements[p] < 0.0);
   }
 
+  result.face.resize(mesh.triangles.size());
   result.corner.resize(mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
     const Index t = static_cast<Index>(i);
     const MeshPart& part = result.parts[result.part[t]];
+    result.face[t] = part.closed ? ChainWeight{ 1, 0 } : ChainWeight{ 1, -1 };
     // Without a common orientation each triangle is measured by its own normals.
     const bool agree = part.closed ? part.normalsAgree : !(agreement(mesh, t) < 0.0);
-    const ChainWeight weight = part.closed ? ChainWeight{ 1, 0 } : ChainWeight{ 1, -1 };
-    result.corner[t] = scaled(weight, agree ? 1 : -1);
+    result.corner[t] = scaled(result.face[t], agree ? 1 : -1);
   }
   return result;
 }

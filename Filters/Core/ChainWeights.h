@@ -38,20 +38,33 @@ struct MeshPart
 };
 
 /// The parts of a mesh and the weights that follow from them.
+///
+/// The boundary of the weighted chain is the silhouette. On a closed part the lit side counts once.
+/// On any other part all of it counts, each piece as if it faced the light: the two-sided chain of
+/// Aldridge & Woods 2004, whose winding is the number of triangles between point and light.
 struct ChainWeights
 {
   std::vector<MeshPart> parts;
   std::vector<Index> part;         ///< part of each triangle
-  std::vector<ChainWeight> corner; ///< silhouette weights of each triangle, for a corner field
+  std::vector<ChainWeight> face;   ///< of each triangle, for a face field
+  std::vector<ChainWeight> corner; ///< of each triangle, for a corner field
 
-  /// Weights whose boundary is the silhouette. On a closed part the lit side counts once. On any
-  /// other part all of it counts, each piece as if it faced the light: the two-sided chain of
-  /// Aldridge & Woods 2004, whose winding is the number of triangles between point and light.
-  ChainWeight silhouette(FieldKind kind, Index triangle) const;
+  const ChainWeight& silhouette(FieldKind kind, Index triangle) const
+  {
+    return (kind == FieldKind::Face ? this->face : this->corner)[triangle];
+  }
 
-  /// Weights of a cap with the same boundary as the silhouette: on closed parts the lit or the
-  /// dark side alone, elsewhere both.
-  ChainWeight cap(FieldKind kind, CapSide side, Index triangle) const;
+  /// For each part whether its cap is what the field calls dark, reversed. Lit and dark part of a
+  /// closed part are together without boundary: one and the other one reversed bound the same.
+  /// Parts that are not closed have all of themselves as the cap, with the silhouette's weights.
+  std::vector<bool> capsOnDarkField(FieldKind kind, CapSide side) const;
+
+  /// Weights of a triangle's cap, given its part's entry of capsOnDarkField.
+  ChainWeight cap(FieldKind kind, Index triangle, bool onDarkField) const
+  {
+    const ChainWeight& weight = this->silhouette(kind, triangle);
+    return onDarkField ? ChainWeight{ 0, static_cast<std::int8_t>(-weight.lit) } : weight;
+  }
 };
 
 ChainWeights findChainWeights(const TriangleMesh& mesh, const EdgeTable& edges);

@@ -106,7 +106,7 @@ void shapeSurface(const TriangleMesh& mesh, const EdgeTable& edges, Index edge,
   c.length = glm::length(c.b - c.a);
   c.x = (c.b - c.a) / c.length;
   const Vec3 mean = na + nb;
-  c.z = unitOrSame(mean - glm::dot(mean, c.x) * c.x);
+  c.z = unitOrZero(mean - glm::dot(mean, c.x) * c.x);
   c.y = glm::cross(c.z, c.x);
   const double za = glm::dot(na, c.z);
   const double zb = glm::dot(nb, c.z);
@@ -133,17 +133,17 @@ Vec3 creaseTangent(const Vec3& n1, const Vec3& n2, const Vec3& chord)
   Vec3 t = glm::cross(n1, n2);
   if (glm::length(t) < 0.05)
   {
-    const Vec3 n = unitOrSame(n1 + n2);
+    const Vec3 n = unitOrZero(n1 + n2);
     t = chord - glm::dot(chord, n) * n;
   }
-  t = unitOrSame(t);
+  t = unitOrZero(t);
   double cosine = glm::dot(t, chord) / length;
   if (cosine < 0.0)
   {
     t = -t;
     cosine = -cosine;
   }
-  return cosine < 0.5 ? chord : t * (2.0 * length / (1.0 + cosine));
+  return cosine >= 0.5 ? t * (2.0 * length / (1.0 + cosine)) : chord;
 }
 
 void shapeCrease(
@@ -213,7 +213,7 @@ EdgeCurve::Sample EdgeCurve::sample(double s, const Vec3& normalA, const Vec3& n
   }
   else if (this->shape == Shape::Crease)
   {
-    const Vec3 t = unitOrSame(this->derivative(s));
+    const Vec3 t = unitOrZero(this->derivative(s));
     result.normal -= glm::dot(result.normal, t) * t;
   }
   return result;

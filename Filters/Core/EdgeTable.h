@@ -32,6 +32,17 @@ inline int sideSign(const TriangleMesh& mesh, const EdgeTable& table, Index edge
   return mesh.triangles[side / 3][side % 3] == table.edges[edge].a ? 1 : -1;
 }
 
+/// Sum of the signs of an edge's sides: 0 where they run against each other in pairs.
+inline int signSum(const TriangleMesh& mesh, const EdgeTable& table, Index edge)
+{
+  int sum = 0;
+  for (Index i = table.firstSide[edge]; i < table.firstSide[edge + 1]; ++i)
+  {
+    sum += sideSign(mesh, table, edge, table.sides[i]);
+  }
+  return sum;
+}
+
 /// Sorts by counting: O(triangles + vertices), and a sort among the edges at one vertex.
 EdgeTable buildEdgeTable(const TriangleMesh& mesh);
 }

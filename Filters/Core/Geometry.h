@@ -26,11 +26,22 @@ inline bool isFinite(const Vec3& v)
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// The vector of unit length, or the vector itself where its length is zero or no number.
-inline Vec3 unitOrSame(const Vec3& v)
+/// The vector of unit length, or zero where it has no direction: zero or no finite vector. Squares
+/// of very large and very small components leave the range of doubles, so these are scaled first.
+inline Vec3 unitOrZero(const Vec3& v)
 {
+  const double largest = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
+  if (!isFinite(v) || !(largest > 0.0))
+  {
+    return Vec3(0.0);
+  }
   const double length = glm::length(v);
-  return length > 0.0 && std::isfinite(length) ? v / length : v;
+  if (length > 1e-140 && length < 1e140)
+  {
+    return v / length;
+  }
+  const Vec3 scaled = v / largest;
+  return scaled / glm::length(scaled);
 }
 
 /// A light, homogeneous with w >= 0: a point for w > 0, at position / w; for w = 0 the direction

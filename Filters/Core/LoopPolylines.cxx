@@ -3,6 +3,7 @@
 #include "SmoothContour.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace shadow
 {
@@ -39,14 +40,21 @@ ContourPoint pointAt(
   return { p, p, vertexNormal(caster, piece, node) };
 }
 
+/// Below a few roundings of the coordinates a deviation is noise, which no subdivision mends.
+double finestTolerance(const Caster& caster)
+{
+  return 16.0 * std::numeric_limits<double>::epsilon() *
+    (glm::length(caster.centre()) + caster.radius());
+}
+
 ContourPoint pointBetween(
   const CubicCurve& curve, double s, const ContourPoint& from, const ContourPoint& to)
 {
-  const Vec3 tangent = unitOrSame(curve.derivative(s));
+  const Vec3 tangent = unitOrZero(curve.derivative(s));
   Vec3 normal = from.normal + s * (to.normal - from.normal);
   normal -= glm::dot(normal, tangent) * tangent;
   return { curve.point(s), from.meshPoint + s * (to.meshPoint - from.meshPoint),
-    unitOrSame(normal) };
+    unitOrZero(normal) };
 }
 }
 
@@ -57,7 +65,8 @@ LoopPolylines makePolylines(const Caster& caster, const SilhouetteChain& chain,
   const bool curved = chain.kind == SilhouetteKind::Smooth;
   std::vector<std::vector<double>> inner(curved ? count : 0);
   std::vector<double> deviation(inner.size(), 0.0);
-  loop(inner.size(),
+  tolerance = std::max(tolerance, finestTolerance(caster));
+  loop(inner.size(), heavyGrain,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -86,7 +95,7 @@ LoopPolylines makePolylines(const Caster& caster, const SilhouetteChain& chain,
     lines.maximumDeviation = std::max(lines.maximumDeviation, d);
   }
 
-  loop(count,
+  loop(count, heavyGrain,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)

@@ -17,7 +17,8 @@ struct LoopPolylines
   double maximumDeviation = 0.0;  ///< bound on the distance between curves and polylines
 };
 
-/// Subdivides each piece's curve until it is within the tolerance (world units).
+/// Subdivides each piece's curve until it is within the tolerance (world units), or within a few
+/// roundings of the coordinates.
 LoopPolylines makePolylines(const Caster& caster, const SilhouetteChain& chain,
   const SilhouetteLoops& loops, double tolerance, const RangeLoop& loop);
 }

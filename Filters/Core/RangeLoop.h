@@ -9,11 +9,17 @@
 namespace shadow
 {
 /// Calls body(begin, end) on disjoint ranges that cover [0, count), in any order and on any
-/// threads. The caller brings it; the core starts no threads itself.
+/// threads. Fewer than `grain` items are not worth a thread. The caller brings it; the core starts
+/// no threads itself.
 using RangeBody = std::function<void(std::size_t begin, std::size_t end)>;
-using RangeLoop = std::function<void(std::size_t count, const RangeBody& body)>;
+using RangeLoop =
+  std::function<void(std::size_t count, std::size_t grain, const RangeBody& body)>;
 
-inline void serialLoop(std::size_t count, const RangeBody& body)
+/// Grains of kernels by what an item costs: nanoseconds, or about a microsecond.
+constexpr std::size_t lightGrain = 8192;
+constexpr std::size_t heavyGrain = 128;
+
+inline void serialLoop(std::size_t count, std::size_t /*grain*/, const RangeBody& body)
 {
   if (count > 0)
   {
@@ -25,10 +31,10 @@ inline void serialLoop(std::size_t count, const RangeBody& body)
 template <class Test>
 std::vector<Index> selectIndices(std::size_t count, const RangeLoop& loop, const Test& test)
 {
-  constexpr std::size_t blockSize = 8192;
+  constexpr std::size_t blockSize = lightGrain;
   const std::size_t blocks = (count + blockSize - 1) / blockSize;
   std::vector<std::vector<Index>> found(blocks);
-  loop(blocks,
+  loop(blocks, 1,
     [&](std::size_t firstBlock, std::size_t endBlock)
     {
       for (std::size_t block = firstBlock; block < endBlock; ++block)

@@ -81,7 +81,7 @@ private:
   {
     std::vector<Vec4>& points = this->Volume.points;
     points.reserve(this->VertexCount + 2 * this->Chain.crossings.size() +
-      2 * this->Silhouette.points.size());
+      3 * this->Silhouette.points.size() + 1);
     for (const Vec3& p : this->TheCaster.mesh().points)
     {
       points.emplace_back(p, 1.0);
@@ -178,26 +178,10 @@ private:
     }
     if (this->Extruded[point] == None)
     {
-      const Vec4 end = this->Chain.light.extrude(Vec3(this->Volume.points[point]));
       this->Extruded[point] =
-        this->addInfinite(end == Vec4(0.0) ? this->awayFromSurface(point) : end, point);
+        this->addInfinite(this->Chain.light.extrude(Vec3(this->Volume.points[point])), point);
     }
     return this->Extruded[point];
-  }
-
-  /// The direction of a shadow whose light is on the vertex itself: the light is taken to be just
-  /// above the surface, as the rule takes it that calls a field of zero lit.
-  Vec4 awayFromSurface(Index vertex) const
-  {
-    const TriangleMesh& mesh = this->TheCaster.mesh();
-    for (std::size_t n = 0; n < mesh.normals.size(); ++n)
-    {
-      if (mesh.normalVertex[n] == vertex && mesh.normals[n] != Vec3(0.0))
-      {
-        return Vec4(-mesh.normals[n], 0.0);
-      }
-    }
-    return Vec4(0.0, 0.0, -1.0, 0.0);
   }
 
   void addWalls(std::size_t loop)
@@ -220,12 +204,17 @@ private:
     }
   }
 
-  /// From outside the ball all its points are seen within less than a half space, so a fan at
-  /// infinity is the same chain as the projected cap.
+  /// From outside a ball all its points are seen within less than a half space, so a fan at
+  /// infinity is the same chain as the projected cap. A smooth contour may leave the mesh's ball.
   bool lightIsOutside() const
   {
-    const Vec3 away = this->Chain.light.toward(this->TheCaster.centre());
-    return glm::length(away) > 1.001 * this->Chain.light.w * this->TheCaster.radius();
+    const Vec3& centre = this->TheCaster.centre();
+    double radius = this->TheCaster.radius();
+    for (const Vec3& p : this->Silhouette.points)
+    {
+      radius = std::max(radius, glm::length(p - centre));
+    }
+    return glm::length(this->Chain.light.toward(centre)) > 1.001 * this->Chain.light.w * radius;
   }
 
   void addFarFan()
@@ -299,15 +288,20 @@ bool matches(const SilhouetteInput& silhouette, const Caster& caster, const Silh
     const Index node = silhouette.nodes[i];
     if (node == None)
     {
+      if (!isFinite(silhouette.points[i]))
+      {
+        return false;
+      }
       continue;
     }
     if (node >= vertices.size() + chain.crossings.size())
     {
       return false;
     }
-    const Vec3& place =
-      node < vertices.size() ? vertices[node] : chain.crossings[node - vertices.size()].meshPoint;
-    if (place != silhouette.meshPoints[i])
+    const Crossing* crossing =
+      node < vertices.size() ? nullptr : &chain.crossings[node - vertices.size()];
+    if (silhouette.meshPoints[i] != (crossing ? crossing->meshPoint : vertices[node]) ||
+      silhouette.points[i] != (crossing ? crossing->point : vertices[node]))
     {
       return false;
     }

@@ -103,9 +103,10 @@ private:
     for (const Index e : this->Chain.crossedEdges)
     {
       this->Chain.firstCrossing.push_back(static_cast<Index>(this->Chain.crossings.size()));
-      for (const SideNormals& normals : distinctNormals(this->Mesh, this->Edges, e))
+      for (Index i = this->Edges.firstSide[e]; i < this->Edges.firstSide[e + 1]; ++i)
       {
-        if (this->crosses(normals))
+        const SideNormals normals = sideNormals(this->Mesh, this->Edges, e, this->Edges.sides[i]);
+        if (this->crosses(normals) && !this->isListed(normals))
         {
           this->Chain.crossings.push_back({ e, normals, 0.0, Vec3(0.0), Vec3(0.0), Vec3(0.0) });
         }
@@ -114,24 +115,35 @@ private:
     this->Chain.firstCrossing.push_back(static_cast<Index>(this->Chain.crossings.size()));
   }
 
+  /// Among the crossings of the edge that is being listed.
+  bool isListed(const SideNormals& normals) const
+  {
+    return std::any_of(this->Chain.crossings.begin() + this->Chain.firstCrossing.back(),
+      this->Chain.crossings.end(), [&](const Crossing& c) { return c.normals == normals; });
+  }
+
   void solveCrossings()
   {
-    const bool smooth = this->Chain.kind == SilhouetteKind::Smooth;
-    if (smooth)
+    std::vector<EdgeCurve> curves;
+    if (this->Chain.kind == SilhouetteKind::Smooth)
     {
-      this->TheCaster.ensureCurves(this->Chain.crossedEdges, this->Loop);
+      curves = this->TheCaster.curves(this->Chain.crossedEdges, this->Loop);
     }
-    this->Loop(this->Chain.crossings.size(),
+    this->Loop(this->Chain.crossedEdges.size(), heavyGrain,
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t i = begin; i < end; ++i)
         {
-          this->solveCrossing(this->Chain.crossings[i], smooth);
+          for (Index c = this->Chain.firstCrossing[i]; c < this->Chain.firstCrossing[i + 1]; ++c)
+          {
+            this->solveCrossing(this->Chain.crossings[c], curves.empty() ? nullptr : &curves[i]);
+          }
         }
       });
   }
 
-  void solveCrossing(Crossing& c, bool smooth) const
+  /// Without a curve the field is linear on the edge.
+  void solveCrossing(Crossing& c, const EdgeCurve* curve) const
   {
     const Vec3& a = this->Mesh.points[this->Edges.edges[c.edge].a];
     const Vec3& b = this->Mesh.points[this->Edges.edges[c.edge].b];
@@ -140,11 +152,11 @@ private:
     const double fieldA = this->Chain.field.values[c.normals.a];
     const double fieldB = this->Chain.field.values[c.normals.b];
     EdgeCurve::Sample sample{ Vec3(0.0), Vec3(0.0) };
-    if (smooth)
+    if (curve)
     {
-      const EdgeCurve& curve = this->TheCaster.curve(c.edge);
-      c.parameter = shadow::solveCrossing(curve, normalA, normalB, fieldA, fieldB, this->Chain.light);
-      sample = curve.sample(c.parameter, normalA, normalB);
+      c.parameter =
+        shadow::solveCrossing(*curve, normalA, normalB, fieldA, fieldB, this->Chain.light);
+      sample = curve->sample(c.parameter, normalA, normalB);
     }
     else
     {
@@ -153,7 +165,7 @@ private:
     }
     c.meshPoint = a + c.parameter * (b - a);
     c.point = sample.point;
-    c.normal = unitOrSame(sample.normal);
+    c.normal = unitOrZero(sample.normal);
   }
 
   void orderCrossings()
@@ -238,33 +250,34 @@ private:
 
   void shapePieces()
   {
+    // Chords come first.
+    const std::vector<Piece>& pieces = this->Chain.pieces;
+    const std::size_t firstLink = static_cast<std::size_t>(
+      std::find_if(pieces.begin(), pieces.end(), [](const Piece& p) { return !p.isChord; }) -
+      pieces.begin());
     std::vector<Index> linked;
-    for (const Piece& p : this->Chain.pieces)
+    for (std::size_t i = firstLink; i < pieces.size(); ++i)
     {
-      if (!p.isChord)
-      {
-        linked.push_back(p.source);
-      }
+      linked.push_back(pieces[i].source);
     }
-    this->TheCaster.ensureCurves(linked, this->Loop);
-    this->Chain.curves.resize(this->Chain.pieces.size());
-    this->Loop(this->Chain.pieces.size(),
+    const std::vector<EdgeCurve> edgeCurves = this->TheCaster.curves(linked, this->Loop);
+    this->Chain.curves.resize(pieces.size());
+    this->Loop(pieces.size(), heavyGrain,
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t i = begin; i < end; ++i)
         {
-          this->Chain.curves[i] = this->shapeOf(this->Chain.pieces[i]);
+          const Piece& p = pieces[i];
+          this->Chain.curves[i] = i < firstLink
+            ? this->chordCurve(p)
+            : edgeCurves[i - firstLink].arc(
+                this->parameterOn(p.source, p.from), this->parameterOn(p.source, p.to));
         }
       });
   }
 
-  CubicCurve shapeOf(const Piece& p) const
+  CubicCurve chordCurve(const Piece& p) const
   {
-    if (!p.isChord)
-    {
-      return this->TheCaster.curve(p.source).arc(
-        this->parameterOn(p.source, p.from), this->parameterOn(p.source, p.to));
-    }
     const Crossing& c0 = this->Chain.crossings[p.from - this->Mesh.points.size()];
     const Crossing& c1 = this->Chain.crossings[p.to - this->Mesh.points.size()];
     return contourSegment(c0.point, c0.normal, c1.point, c1.normal);

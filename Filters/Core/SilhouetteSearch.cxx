@@ -9,7 +9,7 @@ LightField evaluateField(
 {
   LightField field{ kind, {} };
   field.values.resize(kind == FieldKind::Face ? mesh.triangles.size() : mesh.normals.size());
-  loop(field.values.size(),
+  loop(field.values.size(), lightGrain,
     [&](std::size_t begin, std::size_t end)
     {
       const auto kernel = kind == FieldKind::Face ? faceField : cornerField;

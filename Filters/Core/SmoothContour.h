@@ -19,7 +19,7 @@ double subdivide(
   const CubicCurve& curve, double tolerance, const Emit& emit, double from = 0.0, double to = 1.0,
   int depth = 0)
 {
-  constexpr int maximumDepth = 20;
+  constexpr int maximumDepth = 16;
   const double bound = curve.deviationBound();
   if (!(bound > tolerance) || depth == maximumDepth)
   {

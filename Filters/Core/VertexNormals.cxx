@@ -66,7 +66,7 @@ void estimateCornerNormals(TriangleMesh& mesh, const EdgeTable& edges, double fe
   }
   for (Vec3& n : mesh.normals)
   {
-    n = unitOrSame(n);
+    n = unitOrZero(n);
   }
 }
 
@@ -76,8 +76,8 @@ void repairNormals(TriangleMesh& mesh)
   bool any = false;
   for (std::size_t n = 0; n < mesh.normals.size(); ++n)
   {
-    broken[n] = !(glm::length(mesh.normals[n]) > 0.0) || !isFinite(mesh.normals[n]);
-    mesh.normals[n] = broken[n] ? Vec3(0.0) : unitOrSame(mesh.normals[n]);
+    mesh.normals[n] = unitOrZero(mesh.normals[n]);
+    broken[n] = mesh.normals[n] == Vec3(0.0);
     any = any || broken[n];
   }
   if (!any)
@@ -99,7 +99,7 @@ void repairNormals(TriangleMesh& mesh)
   {
     if (broken[n])
     {
-      mesh.normals[n] = unitOrSame(mesh.normals[n]);
+      mesh.normals[n] = unitOrZero(mesh.normals[n]);
     }
   }
 }

@@ -16,31 +16,32 @@ std::uint64_t bits(double value)
 
 /// Mixes the three coordinates; the multiplier is the golden ratio in 64 bits, which spreads
 /// coordinates that differ in few bits over the high half.
-std::uint64_t hashOf(const Vec3& p)
+std::uint64_t hashOf(const Vec3& p, std::uint64_t seed)
 {
   constexpr std::uint64_t golden = 0x9E3779B97F4A7C15ull;
-  std::uint64_t h = bits(p.x) * golden;
+  std::uint64_t h = (seed ^ bits(p.x)) * golden;
   h = (h ^ (h >> 32) ^ bits(p.y)) * golden;
   h = (h ^ (h >> 32) ^ bits(p.z)) * golden;
   return h ^ (h >> 32);
 }
-}
 
-Welding weldPoints(const std::vector<Vec3>& points)
+/// Welds equal items by open addressing. An item that equals nothing, itself included, as one that
+/// is no number does, takes a slot of its own.
+template <class Hash, class Equal>
+Welding weld(std::size_t count, const Hash& hash, const Equal& equal)
 {
   std::size_t capacity = 16;
-  while (capacity < 2 * points.size())
+  while (capacity < 2 * count)
   {
     capacity *= 2;
   }
   std::vector<Index> table(capacity, None);
   Welding welding;
-  welding.target.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
+  welding.target.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
   {
-    // A point that is no number equals nothing, itself included, and so takes a slot of its own.
-    std::size_t slot = hashOf(points[i]) & (capacity - 1);
-    while (table[slot] != None && points[welding.first[table[slot]]] != points[i])
+    std::size_t slot = hash(i) & (capacity - 1);
+    while (table[slot] != None && !equal(welding.first[table[slot]], i))
     {
       slot = (slot + 1) & (capacity - 1);
     }
@@ -53,30 +54,20 @@ Welding weldPoints(const std::vector<Vec3>& points)
   }
   return welding;
 }
+}
 
-Welding weldNormals(
-  const std::vector<Vec3>& normals, const std::vector<Index>& vertex, std::size_t vertexCount)
+Welding weldPoints(const std::vector<Vec3>& points)
 {
-  std::vector<Index> newest(vertexCount, None); // head of each vertex's list of distinct normals
-  std::vector<Index> older;
-  Welding welding;
-  welding.target.reserve(normals.size());
-  for (std::size_t i = 0; i < normals.size(); ++i)
-  {
-    Index found = newest[vertex[i]];
-    while (found != None && normals[welding.first[found]] != normals[i])
-    {
-      found = older[found];
-    }
-    if (found == None)
-    {
-      found = static_cast<Index>(welding.first.size());
-      welding.first.push_back(static_cast<Index>(i));
-      older.push_back(newest[vertex[i]]);
-      newest[vertex[i]] = found;
-    }
-    welding.target.push_back(found);
-  }
-  return welding;
+  return weld(
+    points.size(), [&](std::size_t i) { return hashOf(points[i], 0); },
+    [&](std::size_t i, std::size_t j) { return points[i] == points[j]; });
+}
+
+Welding weldNormals(const std::vector<Vec3>& normals, const std::vector<Index>& vertex)
+{
+  return weld(
+    normals.size(), [&](std::size_t i) { return hashOf(normals[i], vertex[i] + 1); },
+    [&](std::size_t i, std::size_t j)
+    { return vertex[i] == vertex[j] && normals[i] == normals[j]; });
 }
 }

@@ -16,8 +16,6 @@ struct Welding
 /// O(n) on average.
 Welding weldPoints(const std::vector<Vec3>& points);
 
-/// Welds normals that are equal and belong to the same vertex. vertex[i] is below vertexCount.
-/// O(n) as long as few distinct normals meet at a vertex.
-Welding weldNormals(
-  const std::vector<Vec3>& normals, const std::vector<Index>& vertex, std::size_t vertexCount);
+/// Welds normals that are equal and belong to the same vertex, vertex[i]. O(n) on average.
+Welding weldNormals(const std::vector<Vec3>& normals, const std::vector<Index>& vertex);
 }

@@ -21,11 +21,14 @@ public:
   void build()
   {
     const std::vector<bool> crossed = this->trianglesAtCrossedEdges();
+    const ChainWeights& weights = this->TheCaster.weights();
+    const FieldKind kind = this->Chain.field.kind;
+    const std::vector<bool> onDarkField = weights.capsOnDarkField(kind, this->Which);
+    this->Triangles.reserve(this->Triangles.size() + this->Mesh.triangles.size());
     for (std::size_t i = 0; i < this->Mesh.triangles.size(); ++i)
     {
       const Index t = static_cast<Index>(i);
-      const ChainWeight weight =
-        this->TheCaster.weights().cap(this->Chain.field.kind, this->Which, t);
+      const ChainWeight weight = weights.cap(kind, t, onDarkField[weights.part[t]]);
       if (!crossed[t])
       {
         this->addTriangle(this->Mesh.triangles[t], weight.of(this->litAt(t, 0)));

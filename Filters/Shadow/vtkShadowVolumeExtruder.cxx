@@ -10,6 +10,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <cassert>
+
 namespace
 {
 shadow::Caps coreCaps(int caps)
@@ -29,6 +31,7 @@ shadow::SilhouetteInput discreteSilhouette(
   const shadow::Caster& caster, const shadow::SilhouetteChain& chain)
 {
   const shadow::SilhouetteLoops loops = shadow::traceLoops(chain.pieces);
+  assert(loops.balanced); // a boundary always is
   return toInput(loops, shadow::makePolylines(caster, chain, loops, 0.0, smpRangeLoop));
 }
 }
@@ -71,11 +74,14 @@ int vtkShadowVolumeExtruder::RequestData(
   }
   if (!given && !readLight(this->LightPosition, settings.light))
   {
-    vtkErrorMacro("LightPosition (" << this->LightPosition[0] << ", " << this->LightPosition[1]
-                                    << ", " << this->LightPosition[2] << ", "
-                                    << this->LightPosition[3]
-                                    << ") is no light: its components must be finite and not all "
-                                       "zero.");
+    vtkErrorMacro(<< describeBadLight(this->LightPosition));
+    return 0;
+  }
+  if (isTooLarge(input))
+  {
+    vtkErrorMacro("The mesh of " << input->GetNumberOfPoints() << " points and "
+                                 << input->GetNumberOfCells()
+                                 << " cells is too large: at most 2^30 points and 2^31 corners.");
     return 0;
   }
 

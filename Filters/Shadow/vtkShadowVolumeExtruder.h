@@ -22,11 +22,12 @@
  *   at Length along their direction.
  * - CellData `Part` (0 cap, 1 gap between a smooth silhouette and the mesh, 2 wall, 3 far cap),
  *   `Multiplicity` (how often the triangle counts, at least 1).
- * - FieldData `Closed`: 1 if the directed edges of all triangles, taken with their multiplicity,
- *   sum to zero.
+ * - FieldData `Closed`: 1 unless Caps is NONE. The directed edges of all triangles, taken with
+ *   their multiplicity, then sum to zero: by construction, as silhouettes that are not the boundary
+ *   of the mesh's chain are refused.
  *
  * Errors: a silhouette that does not belong to the mesh gives vtkErrorMacro and no output, as does
- * a light that is not finite or is all zero.
+ * a light that is not finite or is all zero. At most 2^30 points and 2^31 corners of cells.
  */
 #ifndef vtkShadowVolumeExtruder_h
 #define vtkShadowVolumeExtruder_h

@@ -8,6 +8,9 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <cmath>
+
 vtkStandardNewMacro(vtkSmoothLightSilhouette);
 
 vtkSmoothLightSilhouette::vtkSmoothLightSilhouette()
@@ -25,13 +28,23 @@ int vtkSmoothLightSilhouette::RequestData(
   SilhouetteSettings settings;
   settings.kind = static_cast<shadow::SilhouetteKind>(this->Kind);
   settings.caster = { this->MergePoints, this->FeatureAngle };
+  std::copy_n(this->LightPosition, 4, settings.lightPosition.begin());
   if (!readLight(this->LightPosition, settings.light))
   {
-    vtkErrorMacro("LightPosition (" << this->LightPosition[0] << ", " << this->LightPosition[1]
-                                    << ", " << this->LightPosition[2] << ", "
-                                    << this->LightPosition[3]
-                                    << ") is no light: its components must be finite and not all "
-                                       "zero.");
+    vtkErrorMacro(<< describeBadLight(this->LightPosition));
+    return 0;
+  }
+  if (!std::isfinite(this->Tolerance) || !std::isfinite(this->FeatureAngle))
+  {
+    vtkErrorMacro("Tolerance " << this->Tolerance << " and FeatureAngle " << this->FeatureAngle
+                               << " must be finite.");
+    return 0;
+  }
+  if (isTooLarge(input))
+  {
+    vtkErrorMacro("The mesh of " << input->GetNumberOfPoints() << " points and "
+                                 << input->GetNumberOfCells()
+                                 << " cells is too large: at most 2^30 points and 2^31 corners.");
     return 0;
   }
 

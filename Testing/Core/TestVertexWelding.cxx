@@ -30,6 +30,6 @@ TEST(VertexWelding, NormalsAreWeldedPerVertex)
 {
   const Vec3 up{ 0.0, 0.0, 1.0 };
   const Vec3 aside{ 1.0, 0.0, 0.0 };
-  const Welding w = weldNormals({ up, aside, up, up, aside }, { 0, 0, 0, 1, 0 }, 2);
+  const Welding w = weldNormals({ up, aside, up, up, aside }, { 0, 0, 0, 1, 0 });
   EXPECT_EQ(w.target, (std::vector<Index>{ 0, 1, 0, 2, 1 }));
 }

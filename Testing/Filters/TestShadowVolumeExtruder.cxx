@@ -7,6 +7,7 @@
 #include "TestMeshes.h"
 #include "Tolerances.h"
 
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCommand.h>
 #include <vtkExecutive.h>
@@ -16,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
 
 namespace
 {
@@ -218,4 +220,62 @@ TEST(ShadowVolumeExtruder, OtherMeshsSilhouetteIsAnError)
   extruder->SetInputData(1, shadowtest::triangle());
   extruder->Update();
   EXPECT_NE(errors->GetErrorMessage().find("port 1"), std::string::npos);
+}
+
+// Such a light counts as just above the surface: it casts what one moved up a little casts.
+TEST(ShadowVolumeExtruder, LightOnAVertex)
+{
+  const shadowtest::Mesh sphere = shadowtest::sphere(12, 24);
+  double on[3];
+  sphere->GetPoint(100, on);
+  const double up = 1.0 + 1e-5;
+  for (const int kind : shadowtest::AllKinds)
+  {
+    ShadowPipeline touching(sphere, { on[0], on[1], on[2], 1.0 }, kind);
+    ShadowPipeline above(sphere, { up * on[0], up * on[1], up * on[2], 1.0 }, kind);
+    EXPECT_EQ(shadowtest::openEdges(touching.volume()), 0);
+    EXPECT_GT(touching.volume()->GetNumberOfPolys(), 100);
+    for (int i = 0; i < 100; ++i)
+    {
+      const double point[3] = { -3.0 + 0.66 * (i % 10), -3.0 + 0.66 * (i / 10), -1.7 };
+      EXPECT_NEAR(shadowtest::windingNumber(touching.volume(), point),
+        shadowtest::windingNumber(above.volume(), point), shadowtest::tolerance::Winding);
+    }
+  }
+}
+
+// Whatever somebody did to the silhouette on its way, it ends in an error.
+TEST(ShadowVolumeExtruder, TamperedSilhouettesAreErrors)
+{
+  const shadowtest::Mesh torus = shadowtest::torus(24, 12);
+  using Spoil = void (*)(vtkPolyData*);
+  const Spoil spoils[] = {
+    [](vtkPolyData* s) { s->GetPointData()->RemoveArray("MeshNodes"); },
+    [](vtkPolyData* s) { s->GetPointData()->GetArray("MeshNodes")->SetNumberOfTuples(3); },
+    [](vtkPolyData* s) { s->GetPointData()->GetArray("MeshNodes")->SetComponent(0, 0, 1e15); },
+    [](vtkPolyData* s) { s->GetPointData()->GetArray("MeshPoints")->SetComponent(0, 1, 9.0); },
+    [](vtkPolyData* s) { s->GetCellData()->GetArray("Multiplicity")->SetComponent(0, 0, 0.0); },
+    [](vtkPolyData* s) { s->GetCellData()->GetArray("Multiplicity")->SetComponent(0, 0, 2.0); },
+    [](vtkPolyData* s) { s->GetPoints()->SetPoint(0, 5.0, 0.0, 0.0); },
+    [](vtkPolyData* s) { s->GetFieldData()->RemoveArray("LightPosition"); },
+    [](vtkPolyData* s) { s->GetLines()->GetConnectivityArray()->SetComponent(1, 0, 1e9); },
+    [](vtkPolyData* s) { s->GetLines()->GetConnectivityArray()->SetComponent(1, 0, -5.0); },
+    [](vtkPolyData* s) { s->GetLines()->GetConnectivityArray()->SetComponent(0, 0, 7.0); }
+  };
+  for (std::size_t i = 0; i < std::size(spoils); ++i)
+  {
+    ShadowPipeline pipeline(torus, Lights[2], vtkSmoothLightSilhouette::SMOOTH);
+    vtkNew<vtkPolyData> spoilt;
+    spoilt->DeepCopy(pipeline.silhouette());
+    spoils[i](spoilt);
+    vtkNew<vtkShadowVolumeExtruder> extruder;
+    extruder->SetInputData(torus);
+    extruder->SetInputData(1, spoilt);
+    vtkNew<vtkTest::ErrorObserver> errors;
+    extruder->AddObserver(vtkCommand::ErrorEvent, errors);
+    extruder->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
+    extruder->Update();
+    EXPECT_TRUE(errors->GetError()) << "spoil " << i;
+    EXPECT_EQ(extruder->GetOutput()->GetNumberOfPolys(), 0) << "spoil " << i;
+  }
 }

@@ -27,6 +27,29 @@ std::vector<Entry>& registry()
   return entries;
 }
 
+std::shared_ptr<PreparedCaster> find(
+  vtkPolyData* mesh, vtkMTimeType time, const CasterSettings& settings)
+{
+  const std::lock_guard<std::mutex> lock(registryGuard);
+  const std::vector<Entry>& entries = registry();
+  const auto found = std::find_if(entries.begin(), entries.end(),
+    [&](const Entry& e)
+    {
+      return e.mesh == mesh && e.time == time && e.settings == settings && !e.prepared.expired();
+    });
+  return found != entries.end() ? found->prepared.lock() : nullptr;
+}
+
+void add(Entry entry)
+{
+  const std::lock_guard<std::mutex> lock(registryGuard);
+  std::vector<Entry>& entries = registry();
+  entries.erase(std::remove_if(entries.begin(), entries.end(),
+                  [](const Entry& e) { return e.prepared.expired(); }),
+    entries.end());
+  entries.push_back(std::move(entry));
+}
+
 std::shared_ptr<PreparedCaster> prepare(vtkPolyData* mesh, const CasterSettings& settings)
 {
   BridgedMesh read = readMesh(mesh, settings.mergePoints);
@@ -41,20 +64,14 @@ std::shared_ptr<PreparedCaster> prepare(vtkPolyData* mesh, const CasterSettings&
 PreparedCaster& CasterCache::get(vtkPolyData* mesh, const CasterSettings& settings)
 {
   const vtkMTimeType time = mesh->GetMTime();
-  const std::lock_guard<std::mutex> lock(registryGuard);
-  std::vector<Entry>& entries = registry();
-  const auto found = std::find_if(entries.begin(), entries.end(),
-    [&](const Entry& e) { return e.mesh == mesh && e.time == time && e.settings == settings; });
-  std::shared_ptr<PreparedCaster> prepared =
-    found != entries.end() ? found->prepared.lock() : nullptr;
+  std::shared_ptr<PreparedCaster> prepared = find(mesh, time, settings);
   if (!prepared)
   {
+    // Not under the lock: other meshes need not wait. If two filters come here at once with the
+    // same mesh, each keeps its own.
     prepared = prepare(mesh, settings);
-    entries.push_back({ mesh, time, settings, prepared });
+    add({ mesh, time, settings, prepared });
   }
   this->Held = std::move(prepared);
-  entries.erase(std::remove_if(entries.begin(), entries.end(),
-                  [](const Entry& e) { return e.prepared.expired(); }),
-    entries.end());
   return *this->Held;
 }

@@ -15,6 +15,7 @@
 #include "vtkSmartPointer.h"
 
 #include <cmath>
+#include <sstream>
 
 namespace
 {
@@ -221,8 +222,13 @@ BridgedMesh readMesh(vtkPolyData* input, bool mergePoints)
   shadow::Welding normals;
   if (hasNormals)
   {
-    const std::vector<shadow::Vec3> given = gather(readVectors(normalArray), used);
-    normals = shadow::weldNormals(given, vertices.target, mesh.points.size());
+    std::vector<shadow::Vec3> given = gather(readVectors(normalArray), used);
+    for (shadow::Vec3& normal : given)
+    {
+      // To equal one another: those that are no numbers are estimated later, like those of zero.
+      normal = shadow::unitOrZero(normal);
+    }
+    normals = shadow::weldNormals(given, vertices.target);
     for (const shadow::Index i : normals.first)
     {
       mesh.normals.push_back(given[i]);
@@ -246,19 +252,46 @@ BridgedMesh readMesh(vtkPolyData* input, bool mergePoints)
   return result;
 }
 
+bool isTooLarge(vtkPolyData* input)
+{
+  constexpr vtkIdType mostPoints = vtkIdType(1) << 30;
+  constexpr vtkIdType mostCorners = vtkIdType(1) << 31;
+  const vtkIdType corners = input->GetPolys()->GetNumberOfConnectivityIds() +
+    3 * input->GetStrips()->GetNumberOfConnectivityIds();
+  return input->GetNumberOfPoints() > mostPoints || corners > mostCorners;
+}
+
 bool readLight(const double position[4], shadow::Light& light)
 {
-  bool isZero = true;
+  double largest = 0.0;
   for (int i = 0; i < 4; ++i)
   {
     if (!std::isfinite(position[i]))
     {
       return false;
     }
-    isZero = isZero && position[i] == 0.0;
+    largest = std::fmax(largest, std::fabs(position[i]));
   }
-  const double sign = position[3] < 0.0 ? -1.0 : 1.0;
-  light.position = sign * shadow::Vec3(position[0], position[1], position[2]);
-  light.w = std::fabs(position[3]);
-  return !isZero;
+  const shadow::Vec3 place(position[0], position[1], position[2]);
+  const shadow::Vec3 point = place / position[3];
+  if (position[3] != 0.0 && shadow::isFinite(point))
+  {
+    light = { point, 1.0 };
+    return true;
+  }
+  // By a power of two, so that ties stay ties.
+  int exponent;
+  std::frexp(largest, &exponent);
+  light.position = shadow::Vec3(std::ldexp(place.x, -exponent), std::ldexp(place.y, -exponent),
+    std::ldexp(place.z, -exponent));
+  light.w = 0.0;
+  return light.position != shadow::Vec3(0.0);
+}
+
+std::string describeBadLight(const double position[4])
+{
+  std::ostringstream message;
+  message << "LightPosition (" << position[0] << ", " << position[1] << ", " << position[2] << ", "
+          << position[3] << ") is no light: its components must be finite and not all zero.";
+  return message.str();
 }

@@ -6,22 +6,30 @@
 
 #include "vtkType.h"
 
+#include <string>
+
 class vtkPolyData;
 
 // A mesh as it was read. Its normals are empty where the input has none.
 struct BridgedMesh
 {
   shadow::TriangleMesh mesh;
-  vtkIdType degenerateCells = 0; // fewer than three distinct points: they cast nothing
-  vtkIdType nonFiniteCells = 0;  // left out
+  vtkIdType degenerateCells = 0; // triangles with two equal corners: they cast nothing
+  vtkIdType nonFiniteCells = 0;  // left out, as are cells with points that do not exist
 };
 
 // Polygons are triangulated by ear cutting, strips are taken apart. Points that no triangle uses
 // are left out.
 BridgedMesh readMesh(vtkPolyData* input, bool mergePoints);
 
-// False if the position has a component that is not finite, or nothing but zeros. The sign of w
-// is made positive, which leaves the point the same.
+// Whether there are more points (2^30) or corners (2^31) than the core's 32-bit numbers can take.
+bool isTooLarge(vtkPolyData* input);
+
+// False if the position has a component that is not finite, or nothing but zeros. Points come out
+// with w = 1, directions at about unit length.
 bool readLight(const double position[4], shadow::Light& light);
+
+// What to say of a position that readLight refused.
+std::string describeBadLight(const double position[4]);
 
 #endif

@@ -6,16 +6,14 @@
 
 #include "vtkSMPTools.h"
 
-// Short ranges run on the calling thread: starting others would take longer.
-inline void smpRangeLoop(std::size_t count, const shadow::RangeBody& body)
+inline void smpRangeLoop(std::size_t count, std::size_t grain, const shadow::RangeBody& body)
 {
-  constexpr std::size_t shortest = 4;
-  if (count < shortest)
+  if (count <= grain)
   {
-    shadow::serialLoop(count, body);
+    shadow::serialLoop(count, grain, body);
     return;
   }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count), static_cast<vtkIdType>(grain),
     [&body](vtkIdType begin, vtkIdType end)
     { body(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
 }

@@ -13,6 +13,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <cmath>
+
 namespace
 {
 enum LoopKind
@@ -119,6 +121,15 @@ void writeDiagnosis(const PreparedCaster& prepared, vtkPolyData* output)
   addCount(output, "InconsistentEdges", defects.inconsistent);
 }
 
+// As often as the triangles of a mesh may meet at an edge.
+constexpr double mostTimes = 2147483647.0;
+
+bool hasShape(vtkDataArray* array, int components, vtkIdType tuples)
+{
+  return array && array->GetNumberOfComponents() == components &&
+    array->GetNumberOfTuples() == tuples;
+}
+
 double fieldValue(vtkPolyData* data, const char* name, int component, bool& found)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray(name);
@@ -149,8 +160,8 @@ void writeSilhouette(const PreparedCaster& prepared, const shadow::SilhouetteCha
   output->GetPointData()->AddArray(nodes);
   writeLoops(prepared.caster, chain, loops, lines, output);
 
-  const shadow::Vec3& l = settings.light.position;
-  addField<vtkDoubleArray>(output, "LightPosition", { l.x, l.y, l.z, settings.light.w });
+  const std::array<double, 4>& l = settings.lightPosition;
+  addField<vtkDoubleArray>(output, "LightPosition", { l[0], l[1], l[2], l[3] });
   addField<vtkDoubleArray>(output, "MaximumDeviation", { lines.maximumDeviation });
   addField<vtkIntArray>(output, "SilhouetteKind", { static_cast<int>(settings.kind) });
   addField<vtkIntArray>(output, "SearchComplete", { 1 });
@@ -163,17 +174,18 @@ void writeSilhouette(const PreparedCaster& prepared, const shadow::SilhouetteCha
 bool readSettings(vtkPolyData* data, SilhouetteSettings& settings)
 {
   bool found = true;
-  double light[4];
   for (int i = 0; i < 4; ++i)
   {
-    light[i] = fieldValue(data, "LightPosition", i, found);
+    settings.lightPosition[static_cast<std::size_t>(i)] =
+      fieldValue(data, "LightPosition", i, found);
   }
   const int kind = static_cast<int>(fieldValue(data, "SilhouetteKind", 0, found));
   settings.caster.mergePoints = fieldValue(data, "MergePoints", 0, found) != 0.0;
   settings.caster.featureAngle = fieldValue(data, "FeatureAngle", 0, found);
   settings.kind = static_cast<shadow::SilhouetteKind>(kind);
   return found && kind >= 0 && kind <= static_cast<int>(shadow::SilhouetteKind::Smooth) &&
-    readLight(light, settings.light);
+    std::isfinite(settings.caster.featureAngle) &&
+    readLight(settings.lightPosition.data(), settings.light);
 }
 
 bool readSilhouette(vtkPolyData* data, shadow::SilhouetteInput& silhouette)
@@ -187,8 +199,8 @@ bool readSilhouette(vtkPolyData* data, shadow::SilhouetteInput& silhouette)
   vtkDataArray* nodes = data->GetPointData()->GetArray("MeshNodes");
   vtkDataArray* meshPoints = data->GetPointData()->GetArray("MeshPoints");
   vtkDataArray* multiplicity = data->GetCellData()->GetArray("Multiplicity");
-  if (!nodes || !meshPoints || !multiplicity || meshPoints->GetNumberOfComponents() != 3 ||
-    multiplicity->GetNumberOfTuples() != data->GetLines()->GetNumberOfCells())
+  if (!hasShape(nodes, 1, count) || !hasShape(meshPoints, 3, count) ||
+    !hasShape(multiplicity, 1, data->GetLines()->GetNumberOfCells()))
   {
     return false;
   }
@@ -201,6 +213,10 @@ bool readSilhouette(vtkPolyData* data, shadow::SilhouetteInput& silhouette)
     data->GetPoint(id, &silhouette.points[i].x);
     meshPoints->GetTuple(id, &silhouette.meshPoints[i].x);
     const double node = nodes->GetComponent(id, 0);
+    if (!(node < static_cast<double>(shadow::None)))
+    {
+      return false;
+    }
     silhouette.nodes[i] = node < 0.0 ? shadow::None : static_cast<shadow::Index>(node);
   }
   for (vtkIdType cell = 0; cell < data->GetLines()->GetNumberOfCells(); ++cell)
@@ -208,16 +224,21 @@ bool readSilhouette(vtkPolyData* data, shadow::SilhouetteInput& silhouette)
     vtkIdType size;
     const vtkIdType* ids;
     data->GetLines()->GetCellAtId(cell, size, ids);
-    if (size < 3 || ids[0] != ids[size - 1])
+    const double times = multiplicity->GetComponent(cell, 0);
+    if (size < 3 || ids[0] != ids[size - 1] || !(times >= 1.0 && times <= mostTimes))
     {
       return false;
     }
     for (vtkIdType i = 0; i + 1 < size; ++i)
     {
+      if (ids[i] < 0 || ids[i] >= count)
+      {
+        return false;
+      }
       silhouette.loopPoints.push_back(static_cast<shadow::Index>(ids[i]));
     }
     silhouette.first.push_back(silhouette.loopPoints.size());
-    silhouette.multiplicity.push_back(static_cast<int>(multiplicity->GetComponent(cell, 0)));
+    silhouette.multiplicity.push_back(static_cast<int>(times));
   }
   return true;
 }

@@ -11,6 +11,7 @@ class vtkPolyData;
 // What a silhouette was made with.
 struct SilhouetteSettings
 {
+  std::array<double, 4> lightPosition; // as the user gave it
   shadow::Light light;
   shadow::SilhouetteKind kind = shadow::SilhouetteKind::Discrete;
   CasterSettings caster;
