@@ -5,6 +5,8 @@
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkPoints.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkPoints.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -75,5 +77,33 @@ std::vector<std::string> cgalMeshNames()
   }
   std::sort(names.begin(), names.end());
   return names;
+}
+
+vtkSmartPointer<vtkPolyData> standing(vtkPolyData* mesh, int up)
+{
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  const double scale = 2.0 / mesh->GetLength();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    mesh->GetPoint(i, p);
+    for (int c = 0; c < 3; ++c)
+    {
+      p[c] = scale * (p[c] - 0.5 * (bounds[2 * c] + bounds[2 * c + 1]));
+    }
+    points->InsertNextPoint(p[(up + 1) % 3], p[(up + 2) % 3], p[up]);
+  }
+  vtkNew<vtkPolyData> turned;
+  turned->ShallowCopy(mesh);
+  turned->SetPoints(points);
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(turned);
+  normals->SplittingOff();
+  normals->ConsistencyOff();
+  normals->Update();
+  return normals->GetOutput();
 }
 }

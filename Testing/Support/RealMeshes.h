@@ -24,6 +24,10 @@ vtkSmartPointer<vtkPolyData> cgalMesh(const std::string& name);
 
 /// Names of all of them, sorted; empty if there is no such folder.
 std::vector<std::string> cgalMeshNames();
+
+/// A copy of size 2 (the diagonal of its bounds) around the origin, turned so that the axis `up`
+/// (0 to 2) of the input becomes z, with smooth normals by VTK.
+vtkSmartPointer<vtkPolyData> standing(vtkPolyData* mesh, int up);
 }
 
 #endif

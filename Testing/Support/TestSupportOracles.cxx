@@ -132,7 +132,8 @@ TEST(RayCast, SphereOverGroundIsTheAnalyticShadow)
     comparison = compareMask(scene, setting.View, light, mask);
     EXPECT_EQ(comparison.total().WrongBeyond, 1) << comparison.describe();
     ASSERT_EQ(comparison.FirstBeyond.size(), 1u);
-    EXPECT_EQ(comparison.FirstBeyond[0], (std::array<int, 2>{ 10, 10 }));
+    EXPECT_EQ(comparison.FirstBeyond[0].X, 10);
+    EXPECT_EQ(comparison.FirstBeyond[0].Y, 10);
   }
 }
 
