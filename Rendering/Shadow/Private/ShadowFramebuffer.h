@@ -1,0 +1,77 @@
+/**
+ * What the pass draws into before the delegate draws: depth and stencil of the renderer's size,
+ * and one mask per casting light.
+ *
+ * A mask is a channel of a layer of one RGBA8 array texture, so that any number of lights costs
+ * the mappers' shaders a single texture unit. Depth and stencil are one buffer: drivers need not
+ * support them apart.
+ */
+#ifndef ShadowFramebuffer_h
+#define ShadowFramebuffer_h
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkImageData;
+class vtkOpenGLState;
+
+class ShadowFramebuffer
+{
+public:
+  static constexpr int ChannelsPerLayer = 4;
+
+  static int LayersFor(int masks) { return (masks + ChannelsPerLayer - 1) / ChannelsPerLayer; }
+
+  /**
+   * Makes everything anew if size or number of masks changed. On failure says why in `error`,
+   * keeps nothing and returns false.
+   */
+  bool Allocate(vtkOpenGLState* state, int width, int height, int masks, std::string& error);
+
+  void Release();
+
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
+
+  /**
+   * Binds the buffers without any colour, which are then safe to draw into with the masks'
+   * texture bound, and clears them.
+   */
+  void BeginDepth(vtkOpenGLState* state);
+
+  /**
+   * Binds the buffers with one mask's layer as colour and clears the stencil. The first mask of a
+   * layer makes the whole layer visible.
+   */
+  void BeginMask(vtkOpenGLState* state, int mask);
+
+  /**
+   * Makes that mask's channel the only one that can be written.
+   */
+  void OpenMask(vtkOpenGLState* state, int mask);
+
+  /**
+   * Binds the masks to a texture unit, or frees that unit of them.
+   */
+  void BindMasks(vtkOpenGLState* state, int unit) const;
+  static void UnbindMasks(vtkOpenGLState* state, int unit);
+
+  /**
+   * One component, unsigned char. Null if nothing is allocated.
+   */
+  vtkSmartPointer<vtkImageData> ReadMask(vtkOpenGLState* state, int mask) const;
+
+private:
+  bool Create(vtkOpenGLState* state, std::string& error);
+
+  int Width = 0;
+  int Height = 0;
+  int Layers = 0;
+  unsigned int DepthStencil = 0;
+  unsigned int Masks = 0;
+  unsigned int DepthTarget = 0;
+  unsigned int MaskTarget = 0;
+};
+
+#endif

@@ -1,0 +1,58 @@
+#include "VolumeCache.h"
+
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+const VolumeBuffers& VolumeCache::Get(vtkRenderer* renderer, vtkPolyData* mesh,
+  const std::array<double, 4>& light, const Quality& quality, unsigned int attribute)
+{
+  Caster& caster = this->Casters[mesh];
+  const vtkMTimeType meshTime = mesh->GetMTime();
+  const auto found =
+    std::find_if(caster.Volumes.begin(), caster.Volumes.end(), [&](const Volume& volume) {
+      return volume.MeshTime == meshTime && volume.Light == light &&
+        volume.Wanted.Kind == quality.Kind && volume.Wanted.Tolerance == quality.Tolerance;
+    });
+  if (found != caster.Volumes.end())
+  {
+    found->Renderer = renderer;
+    found->Frame = this->Frame;
+    return found->Buffers;
+  }
+
+  caster.Silhouette->SetInputData(mesh);
+  caster.Silhouette->SetLightPosition(light.data());
+  caster.Silhouette->SetKind(quality.Kind);
+  caster.Silhouette->SetTolerance(quality.Tolerance);
+  caster.Extruder->SetInputData(mesh);
+  caster.Extruder->SetSilhouetteConnection(caster.Silhouette->GetOutputPort());
+  caster.Extruder->Update();
+
+  ++this->NumberMade;
+  caster.Volumes.emplace_back();
+  Volume& volume = caster.Volumes.back();
+  volume.MeshTime = meshTime;
+  volume.Light = light;
+  volume.Wanted = quality;
+  volume.Renderer = renderer;
+  volume.Frame = this->Frame;
+  volume.Buffers.Upload(caster.Extruder->GetOutput(), attribute);
+
+  // They are on the graphics card now; what is kept about the mesh lies in the filters.
+  caster.Extruder->GetOutput()->ReleaseData();
+  caster.Silhouette->GetOutput()->ReleaseData();
+  return volume.Buffers;
+}
+
+void VolumeCache::EndFrame(vtkRenderer* renderer)
+{
+  for (auto caster = this->Casters.begin(); caster != this->Casters.end();)
+  {
+    auto& volumes = caster->second.Volumes;
+    volumes.remove_if([&](const Volume& volume) {
+      return volume.Renderer == renderer && volume.Frame != this->Frame;
+    });
+    caster = volumes.empty() ? this->Casters.erase(caster) : std::next(caster);
+  }
+}

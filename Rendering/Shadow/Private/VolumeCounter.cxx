@@ -1,0 +1,105 @@
+#include "VolumeCounter.h"
+
+#include "OpenGLFunctions.h"
+#include "VolumeBuffers.h"
+
+#include "ShadowMaskFS.h"
+#include "ShadowMaskVS.h"
+#include "ShadowVolumeFS.h"
+#include "ShadowVolumeVS.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+bool VolumeCounter::Prepare(vtkOpenGLRenderWindow* window, std::string& error)
+{
+  if (this->CountProgram && this->MaskProgram)
+  {
+    return true;
+  }
+  this->Window = window;
+  vtkOpenGLShaderCache* cache = window->GetShaderCache();
+  this->MaskProgram = cache->ReadyShaderProgram(ShadowMaskVS, ShadowMaskFS, "");
+  this->CountProgram = cache->ReadyShaderProgram(ShadowVolumeVS, ShadowVolumeFS, "");
+  const GLint attribute = this->CountProgram
+    ? glGetAttribLocation(static_cast<GLuint>(this->CountProgram->GetHandle()), "homogeneous")
+    : -1;
+  if (!this->MaskProgram || attribute < 0)
+  {
+    error = "the volumes' shaders do not compile";
+    return false;
+  }
+  this->Attribute = static_cast<unsigned int>(attribute);
+  glGenVertexArrays(1, &this->EmptyVertexArray);
+  return true;
+}
+
+void VolumeCounter::Release()
+{
+  if (this->EmptyVertexArray)
+  {
+    glDeleteVertexArrays(1, &this->EmptyVertexArray);
+  }
+  *this = VolumeCounter();
+}
+
+void VolumeCounter::BeginCounting(vtkOpenGLState* state)
+{
+  this->Window->GetShaderCache()->ReadyShaderProgram(this->CountProgram);
+
+  // Colour could stay writable, as the fragment shader writes none: this is for the driver's sake.
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglEnable(GL_STENCIL_TEST);
+  state->vtkglStencilMask(~0u);
+  state->vtkglStencilFunc(GL_ALWAYS, 0, ~0u);
+  state->vtkglStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
+  state->vtkglStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+
+  // Without it the near and the far plane would cut the volumes open.
+  glEnable(GL_DEPTH_CLAMP);
+  glPolygonOffset(1.0f, 1.0f);
+}
+
+void VolumeCounter::Count(const VolumeBuffers& volume, const Matrix4& toClip)
+{
+  // Wound as OpenGL expects it unless some matrix on the way mirrors. View to clip coordinates
+  // always changes handedness, so the usual sign is negative.
+  glFrontFace(vtkMatrix4x4::Determinant(toClip.data()) < 0.0 ? GL_CCW : GL_CW);
+
+  // The origin goes into the matrix while that is still in double.
+  const Matrix4 columns = Transposed(toClip * Translation(volume.GetOrigin()));
+  std::array<float, 16> uniform;
+  std::transform(columns.begin(), columns.end(), uniform.begin(),
+    [](double value) { return static_cast<float>(value); });
+  this->CountProgram->SetUniformMatrix4x4("volumeToClip", uniform.data());
+
+  // A cap is as deep as the surface that it is part of. It must count as behind it: so a lit
+  // surface is not in its own cap's shadow, and a dark one always is in that of its dark cap.
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  volume.DrawCaps();
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  volume.DrawSides();
+}
+
+void VolumeCounter::WriteMask(vtkOpenGLState* state)
+{
+  this->Window->GetShaderCache()->ReadyShaderProgram(this->MaskProgram);
+
+  // The triangle lies at depth 1: GREATER lets pass what is nearer than the background.
+  glDisable(GL_DEPTH_CLAMP);
+  glFrontFace(GL_CCW);
+  state->vtkglDepthFunc(GL_GREATER);
+  state->vtkglStencilFunc(GL_NOTEQUAL, 0, ~0u);
+  state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  glBindVertexArray(this->EmptyVertexArray);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}

@@ -1,0 +1,6 @@
+//VTK::System::Dec
+
+// Volumes leave their trace in the stencil buffer only.
+void main()
+{
+}

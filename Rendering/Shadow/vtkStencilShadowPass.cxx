@@ -1,0 +1,406 @@
+#include "vtkStencilShadowPass.h"
+
+#include "MaskedLighting.h"
+#include "Matrix4.h"
+#include "OpenGLFunctions.h"
+#include "RenderPassKeys.h"
+#include "RestoredState.h"
+#include "ShadowCasters.h"
+#include "ShadowFramebuffer.h"
+#include "ShadowLights.h"
+#include "VolumeCache.h"
+#include "VolumeCounter.h"
+
+#include "vtkActor.h"
+#include "vtkCommand.h"
+#include "vtkFrameBufferObjectBase.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkLight.h"
+#include "vtkMatrix3x3.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpaquePass.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderState.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureUnitManager.h"
+#include "vtkTimeStamp.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkStencilShadowPass);
+vtkCxxSetObjectMacro(vtkStencilShadowPass, DelegatePass, vtkRenderPass);
+vtkInformationKeyMacro(vtkStencilShadowPass, CASTS_SHADOW, Integer);
+vtkInformationKeyMacro(vtkStencilShadowPass, RECEIVES_SHADOW, Integer);
+
+class vtkStencilShadowPass::Internals
+{
+public:
+  ~Internals() { this->Release(); }
+
+  /**
+   * All that is on the graphics card belongs to one window at a time. It has to be told when that
+   * window goes: the pass may by then be in no renderer that would tell.
+   */
+  void Attach(vtkOpenGLRenderWindow* window)
+  {
+    if (this->Window != window)
+    {
+      this->Release();
+      this->Window = window;
+      this->WindowObserver =
+        window->AddObserver(vtkCommand::DeleteEvent, this, &Internals::Release);
+      window->MakeCurrent();
+    }
+  }
+
+  void Release()
+  {
+    if (!this->Window)
+    {
+      return;
+    }
+    this->Window->PushContext();
+    this->Volumes.Release();
+    this->Counter.Release();
+    this->Target.Release();
+    this->Window->PopContext();
+    this->Window->RemoveObserver(this->WindowObserver);
+    this->Window = nullptr;
+    this->MaskedLights.clear();
+  }
+
+  /**
+   * Takes the lights of this frame. The mappers' shaders depend only on which of them has which
+   * mask.
+   */
+  void SetLights(const std::vector<ShadowLight>& lights)
+  {
+    LightMasks masks;
+    this->MaskedLights.clear();
+    for (const ShadowLight& light : lights)
+    {
+      masks.emplace(light.Number, static_cast<int>(this->MaskedLights.size()));
+      this->MaskedLights.emplace_back(light.Light);
+    }
+    if (masks != this->Masks)
+    {
+      this->Masks = std::move(masks);
+      this->ShaderStageTime.Modified();
+    }
+  }
+
+  /**
+   * Draws the mask of each light, on the depth that is there.
+   */
+  void DrawMasks(vtkRenderer* renderer, const std::vector<ShadowLight>& lights,
+    const VolumeCache::Quality& quality);
+
+  LightSwitches Switches;
+  vtkNew<vtkRenderStepsPass> DefaultDelegate;
+  vtkNew<vtkOpaquePass> DepthPass;
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  unsigned long WindowObserver = 0;
+  ShadowFramebuffer Target;
+  VolumeCounter Counter;
+  VolumeCache Volumes;
+
+  // A light's place is its mask's number.
+  std::vector<vtkWeakPointer<vtkLight>> MaskedLights;
+  LightMasks Masks;
+  vtkTimeStamp ShaderStageTime;
+
+  int TextureUnit = -1;
+  bool Shading = false;
+  bool HasWarned = false;
+};
+
+namespace
+{
+bool Receives(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  vtkInformationIntegerKey* key = vtkStencilShadowPass::RECEIVES_SHADOW();
+  return !keys || !keys->Has(key) || keys->Get(key) != 0;
+}
+
+/**
+ * The size of what the state draws into, found as vtkCameraPass does.
+ */
+std::array<int, 2> FindSize(const vtkRenderState* state)
+{
+  std::array<int, 2> size{};
+  if (vtkFrameBufferObjectBase* framebuffer = state->GetFrameBuffer())
+  {
+    framebuffer->GetLastSize(size.data());
+  }
+  else
+  {
+    int origin[2];
+    state->GetRenderer()->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  }
+  return size;
+}
+
+Matrix4 FindWorldToClip(vtkRenderer* renderer)
+{
+  auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
+  vtkMatrix4x4* worldToView;
+  vtkMatrix3x3* normals;
+  vtkMatrix4x4* viewToClip;
+  vtkMatrix4x4* worldToClip;
+  camera->GetKeyMatrices(renderer, worldToView, normals, viewToClip, worldToClip);
+
+  // The camera keeps its matrices as OpenGL reads them, column by column.
+  return Transposed(ToMatrix4(worldToClip));
+}
+}
+
+void vtkStencilShadowPass::Internals::DrawMasks(vtkRenderer* renderer,
+  const std::vector<ShadowLight>& lights, const VolumeCache::Quality& quality)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  const Matrix4 worldToClip = FindWorldToClip(renderer);
+  const std::vector<ShadowCaster> casters = CollectShadowCasters(renderer);
+  this->Volumes.BeginFrame();
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    const auto mask = static_cast<int>(i);
+    this->Target.BeginMask(state, mask);
+    this->Counter.BeginCounting(state);
+    for (const ShadowCaster& caster : casters)
+    {
+      const VolumeBuffers& volume = this->Volumes.Get(renderer, caster.Mesh,
+        caster.MoveIntoMesh(lights[i].Position), quality, this->Counter.GetAttribute());
+      this->Counter.Count(volume, worldToClip * caster.ToWorld);
+    }
+    this->Target.OpenMask(state, mask);
+    this->Counter.WriteMask(state);
+  }
+  this->Volumes.EndFrame(renderer);
+}
+
+vtkStencilShadowPass::vtkStencilShadowPass()
+  : Internal(std::make_unique<Internals>())
+{
+}
+
+vtkStencilShadowPass::~vtkStencilShadowPass()
+{
+  this->SetDelegatePass(nullptr);
+}
+
+void vtkStencilShadowPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  static const char* const kinds[] = { "Discrete", "Accurate", "Smooth" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DelegatePass: ";
+  if (this->DelegatePass)
+  {
+    os << "\n";
+    this->DelegatePass->PrintSelf(os, indent.GetNextIndent());
+  }
+  else
+  {
+    os << "(none: vtkRenderStepsPass)\n";
+  }
+  os << indent << "Kind: " << kinds[this->Kind] << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "Masked lights in the last frame: " << this->Internal->MaskedLights.size()
+     << "\n";
+}
+
+void vtkStencilShadowPass::SetLightCasts(vtkLight* light, bool casts)
+{
+  if (light && this->Internal->Switches.Set(light, casts))
+  {
+    this->Modified();
+  }
+}
+
+bool vtkStencilShadowPass::GetLightCasts(vtkLight* light)
+{
+  return light && !light->LightTypeIsHeadlight() && this->Internal->Switches.Casts(light);
+}
+
+void vtkStencilShadowPass::Render(const vtkRenderState* state)
+{
+  vtkRenderPass* delegate =
+    this->DelegatePass ? this->DelegatePass : this->Internal->DefaultDelegate.Get();
+  const bool masked = this->MakeMasks(state);
+  if (masked)
+  {
+    this->Internal->Shading = true;
+  }
+  delegate->Render(state);
+  this->NumberOfRenderedProps = delegate->GetNumberOfRenderedProps();
+  if (masked)
+  {
+    this->Internal->Shading = false;
+    this->DropMasks(state);
+  }
+}
+
+bool vtkStencilShadowPass::MakeMasks(const vtkRenderState* state)
+{
+  Internals& internal = *this->Internal;
+  vtkRenderer* renderer = state->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  internal.MaskedLights.clear();
+  if (!window || renderer->GetSelector())
+  {
+    return false;
+  }
+  window->MakeCurrent();
+  internal.Attach(window);
+
+  // The delegate does this as well, but only after the masks.
+  this->UpdateLightGeometry(renderer);
+  this->UpdateLights(renderer);
+  const std::vector<ShadowLight> lights = CollectShadowLights(renderer, internal.Switches);
+  const std::array<int, 2> size = FindSize(state);
+  if (lights.empty() || size[0] <= 0 || size[1] <= 0)
+  {
+    return false;
+  }
+
+  vtkOpenGLState* glState = window->GetState();
+  const RestoredState restored(glState);
+  std::string error;
+  if (!internal.Target.Allocate(
+        glState, size[0], size[1], static_cast<int>(lights.size()), error) ||
+    !internal.Counter.Prepare(window, error))
+  {
+    this->WarnOnce(error);
+    return false;
+  }
+  internal.TextureUnit = glState->GetTextureUnitManager()->Allocate();
+  if (internal.TextureUnit < 0)
+  {
+    this->WarnOnce("no texture unit is free for the masks");
+    return false;
+  }
+  internal.SetLights(lights);
+  internal.Target.BindMasks(glState, internal.TextureUnit);
+  JoinProps(state, this);
+
+  internal.Target.BeginDepth(glState);
+  glState->vtkglEnable(GL_DEPTH_TEST);
+  glState->vtkglDepthFunc(GL_LEQUAL);
+  glState->vtkglDisable(GL_BLEND);
+  {
+    const LoneRenderPass lone(state, this);
+    internal.DepthPass->Render(state);
+  }
+
+  internal.DrawMasks(renderer, lights, { this->Kind, this->Tolerance });
+  return true;
+}
+
+void vtkStencilShadowPass::DropMasks(const vtkRenderState* state)
+{
+  Internals& internal = *this->Internal;
+  LeaveProps(state, this);
+  if (!internal.Window)
+  {
+    return;
+  }
+  vtkOpenGLState* glState = internal.Window->GetState();
+  const RestoredState restored(glState);
+  ShadowFramebuffer::UnbindMasks(glState, internal.TextureUnit);
+  glState->GetTextureUnitManager()->Free(internal.TextureUnit);
+  internal.TextureUnit = -1;
+}
+
+void vtkStencilShadowPass::WarnOnce(const std::string& reason)
+{
+  if (!this->Internal->HasWarned)
+  {
+    this->Internal->HasWarned = true;
+    vtkWarningMacro("No shadows in this window: " << reason << ".");
+  }
+}
+
+vtkImageData* vtkStencilShadowPass::GetMask(vtkLight* light)
+{
+  Internals& internal = *this->Internal;
+  const auto found = std::find(internal.MaskedLights.begin(), internal.MaskedLights.end(), light);
+  if (!light || !internal.Window || found == internal.MaskedLights.end())
+  {
+    return nullptr;
+  }
+  internal.Window->MakeCurrent();
+  const auto mask = static_cast<int>(found - internal.MaskedLights.begin());
+  const vtkSmartPointer<vtkImageData> image =
+    internal.Target.ReadMask(internal.Window->GetState(), mask);
+  if (image)
+  {
+    image->Register(nullptr);
+  }
+  return image;
+}
+
+int vtkStencilShadowPass::GetNumberOfVolumesMade()
+{
+  return this->Internal->MaskedLights.empty() ? 0 : this->Internal->Volumes.GetNumberMade();
+}
+
+void vtkStencilShadowPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->Internal->DefaultDelegate->ReleaseGraphicsResources(window);
+  this->Internal->DepthPass->ReleaseGraphicsResources(window);
+  if (this->DelegatePass)
+  {
+    this->DelegatePass->ReleaseGraphicsResources(window);
+  }
+  this->Internal->Release();
+}
+
+bool vtkStencilShadowPass::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+{
+  // Volumes are lit through the same names, but have no surface that a mask could belong to.
+  if (vtkActor::SafeDownCast(prop))
+  {
+    MaskLighting(fragmentShader, this->Internal->Masks);
+  }
+  return true;
+}
+
+bool vtkStencilShadowPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  Internals& internal = *this->Internal;
+  if (!internal.Window || !program->IsUniformUsed("stencilShadowMasks"))
+  {
+    return true;
+  }
+  // Behind a translucent surface there is another one, which the mask belongs to.
+  const bool masked =
+    internal.Shading && !prop->IsRenderingTranslucentPolygonalGeometry() && Receives(prop);
+
+  // Passes in between may draw elsewhere, and at another resolution, than the one around.
+  int viewport[4];
+  internal.Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  const float origin[2] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]) };
+  const float scale[2] = { static_cast<float>(internal.Target.GetWidth()) /
+      static_cast<float>(viewport[2]),
+    static_cast<float>(internal.Target.GetHeight()) / static_cast<float>(viewport[3]) };
+  return program->SetUniformi("stencilShadowMasks", internal.TextureUnit) &&
+    program->SetUniformi("stencilShadowMasked", masked ? 1 : 0) &&
+    program->SetUniform2f("stencilShadowOrigin", origin) &&
+    program->SetUniform2f("stencilShadowScale", scale);
+}
+
+vtkMTimeType vtkStencilShadowPass::GetShaderStageMTime()
+{
+  return this->Internal->ShaderStageTime;
+}
