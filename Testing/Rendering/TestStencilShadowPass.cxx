@@ -1496,6 +1496,7 @@ TEST(StencilShadowPass, AmbientOcclusionAroundAndWithin)
   window->Render();
   const Image unlit = Grab(window);
   light->SetIntensity(intensity);
+  occlusion->ReleaseGraphicsResources(window);
 
   for (const bool within : { true, false })
   {
@@ -1528,6 +1529,8 @@ TEST(StencilShadowPass, AmbientOcclusionAroundAndWithin)
       }
     }
     EXPECT_EQ(wrong, 0);
+    // vtkSSAOPass does not free its textures by itself.
+    another->ReleaseGraphicsResources(window);
     scene.Renderer->SetPass(nullptr);
   }
 }
