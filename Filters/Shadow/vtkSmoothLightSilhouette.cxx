@@ -42,9 +42,7 @@ int vtkSmoothLightSilhouette::RequestData(
   }
   if (isTooLarge(input))
   {
-    vtkErrorMacro("The mesh of " << input->GetNumberOfPoints() << " points and "
-                                 << input->GetNumberOfCells()
-                                 << " cells is too large: at most 2^30 points and 2^31 corners.");
+    vtkErrorMacro(<< describeTooLarge(input));
     return 0;
   }
 

@@ -261,6 +261,15 @@ bool isTooLarge(vtkPolyData* input)
   return input->GetNumberOfPoints() > mostPoints || corners > mostCorners;
 }
 
+std::string describeTooLarge(vtkPolyData* input)
+{
+  std::ostringstream message;
+  message << "The mesh of " << input->GetNumberOfPoints() << " points and "
+          << input->GetNumberOfCells()
+          << " cells is too large: at most 2^30 points and 2^31 corners of cells.";
+  return message.str();
+}
+
 bool readLight(const double position[4], shadow::Light& light)
 {
   double largest = 0.0;

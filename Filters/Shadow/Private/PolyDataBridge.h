@@ -25,6 +25,9 @@ BridgedMesh readMesh(vtkPolyData* input, bool mergePoints);
 // Whether there are more points (2^30) or corners (2^31) than the core's 32-bit numbers can take.
 bool isTooLarge(vtkPolyData* input);
 
+// What to say of a mesh that is.
+std::string describeTooLarge(vtkPolyData* input);
+
 // False if the position has a component that is not finite, or nothing but zeros. Points come out
 // with w = 1, directions at about unit length.
 bool readLight(const double position[4], shadow::Light& light);
