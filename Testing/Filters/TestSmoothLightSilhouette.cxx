@@ -2,6 +2,7 @@
 
 #include "ChainChecks.h"
 #include "HostileMeshes.h"
+#include "PolylineDistance.h"
 #include "RandomMeshes.h"
 #include "RealMeshes.h"
 #include "ShadowPipeline.h"
@@ -12,8 +13,6 @@
 #include <vtkCellData.h>
 #include <vtkCommand.h>
 #include <vtkExecutive.h>
-#include <vtkIdList.h>
-#include <vtkLine.h>
 #include <vtkPointData.h>
 #include <vtkSMPTools.h>
 #include <vtkStripper.h>
@@ -54,26 +53,6 @@ bool isOnAPoint(vtkPolyData* mesh, const LightPosition& light)
     }
   }
   return false;
-}
-
-double distanceToLines(vtkPolyData* polylines, const double point[3])
-{
-  double least = std::numeric_limits<double>::infinity();
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < polylines->GetNumberOfCells(); ++cell)
-  {
-    polylines->GetCellPoints(cell, ids);
-    for (vtkIdType i = 0; i + 1 < ids->GetNumberOfIds(); ++i)
-    {
-      double p[3];
-      double q[3];
-      double t;
-      polylines->GetPoint(ids->GetId(i), p);
-      polylines->GetPoint(ids->GetId(i + 1), q);
-      least = std::fmin(least, vtkLine::DistanceToLine(point, p, q, t, nullptr));
-    }
-  }
-  return std::sqrt(least);
 }
 
 void expectEqualOutputs(vtkPolyData* expected, vtkPolyData* actual)
@@ -205,7 +184,7 @@ TEST(SmoothLightSilhouette, MaximumDeviationIsABound)
   double largest = 0.0;
   for (vtkIdType i = 0; i < curve->GetNumberOfPoints(); ++i)
   {
-    largest = std::fmax(largest, distanceToLines(polyline, curve->GetPoint(i)));
+    largest = std::fmax(largest, shadowtest::distanceToLines(polyline, curve->GetPoint(i)));
   }
   EXPECT_LE(largest, bound * (1.0 + shadowtest::tolerance::ReportedBound) + 1e-8);
   EXPECT_GT(largest, 0.05 * bound) << "a bound this loose would make its test worthless";

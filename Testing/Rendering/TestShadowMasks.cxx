@@ -6,19 +6,17 @@
 #include "MaskComparison.h"
 #include "RayCast.h"
 #include "RealMeshes.h"
+#include "ShadowScene.h"
 #include "TestMeshes.h"
 
 #include "vtkOffscreenWindows.h"
 #include "vtkStencilShadowPass.h"
 
-#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <gtest/gtest.h>
 
@@ -39,29 +37,17 @@ struct MaskScene
 class ShadowMasks : public ::testing::Test
 {
 protected:
-  void add(vtkPolyData* mesh)
-  {
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(mesh);
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    this->Renderer->AddActor(actor);
-  }
-
-  void setUp(const MaskScene& scene, const std::vector<RayObject>& objects, const RayLight& position)
+  void setUp(
+    const MaskScene& scene, const std::vector<RayObject>& objects, const RayLight& position)
   {
     this->Renderer = vtkSmartPointer<vtkRenderer>::New();
     this->Renderer->AutomaticLightCreationOff();
     this->Renderer->SetBackground(1.0, 1.0, 1.0);
     for (const RayObject& object : objects)
     {
-      this->add(object.Surface);
+      this->Renderer->AddActor(MakeActor(object.Surface));
     }
-    this->Light = vtkSmartPointer<vtkLight>::New();
-    this->Light->SetPositional(position[3] != 0.0);
-    this->Light->SetConeAngle(180.0);
-    this->Light->SetPosition(position.data());
-    this->Light->SetFocalPoint(0.0, 0.0, 0.0);
+    this->Light = MakeLight(position);
     this->Renderer->AddLight(this->Light);
     this->Pass->SetKind(scene.kind);
     this->Renderer->SetPass(this->Pass);
@@ -71,10 +57,7 @@ protected:
     camera->SetViewUp(0.0, 0.0, 1.0);
     camera->SetViewAngle(32.0);
     this->Renderer->ResetCameraClippingRange();
-    this->Window.TakeReference(vtkOffscreenWindows::NewWindow(std::getenv("SMOOTHSHADOW_WINDOW")));
-    ASSERT_TRUE(this->Window) << vtkOffscreenWindows::GetLastReason();
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(scene.width, scene.height);
+    this->Window = MakeWindow(scene.width, scene.height);
     this->Window->AddRenderer(this->Renderer);
   }
 
@@ -85,15 +68,10 @@ protected:
     {
       return;
     }
-    vtkNew<vtkWindowToImageFilter> picture;
-    picture->SetInput(this->Window);
-    picture->ReadFrontBufferOff();
-    picture->ShouldRerenderOff();
-    picture->Update();
     const std::string start =
       std::string(folder) + "/" + vtkOffscreenWindows::GetDefaultName() + "-" + name;
     writePng(mask, start + "-mask.png");
-    writePng(picture->GetOutput(), start + ".png");
+    writePng(Grab(this->Window), start + ".png");
   }
 
   void check(const MaskScene& scene, vtkPolyData* mesh, const RayLight& position)
@@ -103,9 +81,8 @@ protected:
     mesh->GetBounds(bounds);
     const std::vector<RayObject> objects = { { ground(bounds[4], 4.0, 8) }, { mesh } };
     this->setUp(scene, objects, position);
-    ASSERT_TRUE(this->Window);
     this->Window->Render();
-    auto mask = vtkSmartPointer<vtkImageData>::Take(this->Pass->GetMask(this->Light));
+    const Image mask = Image::Take(this->Pass->GetMask(this->Light));
     ASSERT_TRUE(mask);
     this->keepPictures(scene.name, mask);
     if (scene.kind != vtkStencilShadowPass::DISCRETE)
@@ -149,7 +126,8 @@ TEST_F(ShadowMasks, BunnyInAWideWindow)
 
 TEST_F(ShadowMasks, SmoothBunny)
 {
-  this->check({ "bunny-smooth", 512, 512, vtkStencilShadowPass::SMOOTH }, standing(bunny(), 1), Point);
+  this->check(
+    { "bunny-smooth", 512, 512, vtkStencilShadowPass::SMOOTH }, standing(bunny(), 1), Point);
 }
 
 TEST_F(ShadowMasks, ArmadilloByPointLight)

@@ -1,0 +1,237 @@
+// Several lights, lights that come, go and move, and scenes in which no light casts.
+
+#include "ImageChecks.h"
+#include "RayCast.h"
+#include "ShadowScene.h"
+#include "TestMeshes.h"
+
+#include "vtkStencilShadowPass.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace shadowtest;
+
+TEST(StencilShadowPass, ManyLightsEachItsMask)
+{
+  Scene scene;
+  const Mesh mesh = FloatingBox();
+  scene.Add(mesh);
+  // Two layers of masks; a headlight and one that is off lie between, so that numbers of lights,
+  // of lights that are on, and of masks all differ.
+  const std::vector<RayLight> positions = { { 1.5, 1.0, 4.0, 1.0 }, { 2.0, 1.0, 4.0, 0.0 },
+    { -2.0, 1.0, 3.0, 1.0 }, { 0.5, -2.0, 4.0, 0.0 }, { 0.1, 2.5, 3.0, 1.0 },
+    { -1.0, 0.4, 5.0, 0.0 } };
+  std::vector<vtkSmartPointer<vtkLight>> lights;
+  vtkSmartPointer<vtkLight> headlight;
+  for (const RayLight& position : positions)
+  {
+    lights.push_back(scene.AddLight(position, 0.03 + 0.03 * static_cast<double>(lights.size())));
+    lights.back()->SetDiffuseColor(1.0, 0.2 * static_cast<double>(lights.size()) - 0.2, 0.5);
+    if (lights.size() == 1)
+    {
+      scene.AddLight({ 0.0, 0.0, 3.0, 1.0 })->SwitchOff();
+    }
+    if (lights.size() == 3)
+    {
+      headlight = scene.AddHeadlight(0.05);
+    }
+  }
+  auto window = MakeWindow(300, 220);
+  window->AddRenderer(scene.Renderer);
+  window->Render();
+
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    ExpectMask(scene, lights[i], positions[i], { { scene.GroundMesh }, { mesh } },
+      ("light " + std::to_string(i)).c_str());
+  }
+  EXPECT_EQ(scene.Pass->GetMask(headlight), nullptr);
+  EXPECT_FALSE(scene.Pass->GetLightCasts(headlight));
+
+  // On the ground the colour is the sum over lights of mask times Lambert.
+  const Image picture = Grab(window);
+  std::vector<Image> masks;
+  for (const auto& light : lights)
+  {
+    masks.push_back(scene.Mask(light));
+  }
+  const RayView view = ViewOf(scene.Renderer, picture);
+  const RayScene rays({ { scene.GroundMesh }, { mesh } });
+  double camera[3];
+  scene.Renderer->GetActiveCamera()->GetPosition(camera);
+  double axis[3];
+  scene.Renderer->GetActiveCamera()->GetDirectionOfProjection(axis);
+  const double color[3] = { 1.0, 0.9, 0.8 };
+  long checked = 0;
+  long wrong = 0;
+  for (int y = 0; y < view.Height; y += 2)
+  {
+    for (int x = 0; x < view.Width; x += 2)
+    {
+      const RaySample sample = rays.look(view, x + 0.5, y + 0.5, positions[0]);
+      if (sample.Object != 0)
+      {
+        continue;
+      }
+      double light[3] = { -axis[2] * 0.05, -axis[2] * 0.05, -axis[2] * 0.05 };
+      for (std::size_t i = 0; i < lights.size(); ++i)
+      {
+        const RayLight& p = positions[i];
+        const Vec3 place = { p[0], p[1], p[2] };
+        const Vec3 toLight = normalized(p[3] == 0.0 ? place : place - sample.Point);
+        for (int c = 0; c < 3; ++c)
+        {
+          light[c] += Byte(masks[i], x, y) / 255.0 * toLight[2] * lights[i]->GetIntensity() *
+            lights[i]->GetDiffuseColor()[c];
+        }
+      }
+      ++checked;
+      for (int c = 0; c < 3; ++c)
+      {
+        wrong +=
+          std::abs(Byte(picture, x, y, c) - 255.0 * color[c] * (0.125 + 0.75 * light[c])) > 1.5;
+      }
+    }
+  }
+  EXPECT_GT(checked, 8000);
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(StencilShadowPass, LightsAndActorsThatMove)
+{
+  Scene scene;
+  const Mesh mesh = FloatingBox();
+  const Mesh still = moved(sphere(8, 16), 0.3, { -1.5, -0.5, 0.6 });
+  vtkSmartPointer<vtkActor> mover = scene.Add(mesh);
+  scene.Add(still);
+  vtkSmartPointer<vtkLight> point = scene.AddLight(PointLight, 0.5);
+  vtkSmartPointer<vtkLight> direction = scene.AddLight(DirectionalLight, 0.5);
+  auto window = MakeWindow(240, 180);
+  window->AddRenderer(scene.Renderer);
+  const auto check = [&](const RayLight& position, const char* what) {
+    const std::vector<RayObject> objects = { { scene.GroundMesh }, { mesh, mover->GetMatrix() },
+      { still } };
+    ExpectMask(scene, point, position, objects, what);
+    ExpectMask(scene, direction, DirectionalLight, objects, what);
+  };
+
+  // The ground casts as well: three casters, two lights.
+  window->Render();
+  EXPECT_EQ(scene.Pass->GetNumberOfVolumesMade(), 6);
+  check(PointLight, "first");
+  scene.Look(3.0, -6.0, 5.0);
+  window->Render();
+  EXPECT_EQ(scene.Pass->GetNumberOfVolumesMade(), 0);
+  check(PointLight, "camera moved");
+
+  const RayLight elsewhere = { -0.5, 1.5, 3.5, 1.0 };
+  point->SetPosition(elsewhere[0], elsewhere[1], elsewhere[2]);
+  window->Render();
+  EXPECT_EQ(scene.Pass->GetNumberOfVolumesMade(), 3);
+  check(elsewhere, "light moved");
+
+  // A translation leaves a directional light where it was.
+  mover->SetPosition(0.5, 0.2, 0.1);
+  window->Render();
+  EXPECT_EQ(scene.Pass->GetNumberOfVolumesMade(), 1);
+  check(elsewhere, "actor moved");
+
+  direction->SwitchOff();
+  window->Render();
+  EXPECT_EQ(scene.Pass->GetNumberOfVolumesMade(), 0);
+  EXPECT_EQ(scene.Pass->GetMask(direction), nullptr);
+  direction->SwitchOn();
+  window->Render();
+  EXPECT_EQ(scene.Pass->GetNumberOfVolumesMade(), 3);
+  check(elsewhere, "light on again");
+
+  mesh->GetPoints()->SetPoint(0, 0.0, 0.0, 1.9);
+  mesh->GetPoints()->Modified();
+  window->Render();
+  EXPECT_EQ(scene.Pass->GetNumberOfVolumesMade(), 2);
+  scene.Pass->SetKindToSmooth();
+  window->Render();
+  EXPECT_EQ(scene.Pass->GetNumberOfVolumesMade(), 6);
+}
+
+TEST(StencilShadowPass, LightsThatComeAndGo)
+{
+  Scene scene;
+  const Mesh mesh = FloatingBox();
+  scene.Add(mesh);
+  const std::vector<RayObject> objects = { { scene.GroundMesh }, { mesh } };
+  auto window = MakeWindow(200, 150);
+  window->AddRenderer(scene.Renderer);
+  std::vector<vtkSmartPointer<vtkLight>> lights;
+  std::vector<RayLight> positions;
+  Image five;
+  for (int i = 0; i < 6; ++i)
+  {
+    positions.push_back({ 1.5 - 0.6 * i, 1.0 + 0.2 * i, 4.0, i % 2 == 0 ? 1.0 : 0.0 });
+    lights.push_back(scene.AddLight(positions.back(), 0.15));
+    window->Render();
+    for (std::size_t k = 0; k < lights.size(); ++k)
+    {
+      ExpectMask(scene, lights[k], positions[k], objects, "added");
+    }
+    five = i == 4 ? Grab(window) : five;
+  }
+  scene.Renderer->RemoveLight(lights.back());
+  window->Render();
+  EXPECT_EQ(Differences(Grab(window), five), 0);
+
+  // The same lights shine, but masks move to other channels: only the first light's shadow goes.
+  const Image firstMask = scene.Mask(lights[0]);
+  scene.Pass->SetLightCasts(lights[0], false);
+  window->Render();
+  const Image four = Grab(window);
+  EXPECT_GT(Differences(four, five), 500);
+  long elsewhere = 0;
+  for (int y = 0; y < 150; ++y)
+  {
+    for (int x = 0; x < 200; ++x)
+    {
+      elsewhere += Byte(firstMask, x, y) == 255 && Byte(four, x, y) != Byte(five, x, y);
+    }
+  }
+  EXPECT_EQ(elsewhere, 0);
+  ExpectMask(scene, lights[1], positions[1], objects, "first does not cast");
+  scene.Pass->SetLightCasts(lights[0], true);
+  window->Render();
+  EXPECT_EQ(Differences(Grab(window), five), 0);
+}
+
+TEST(StencilShadowPass, ScenesWithoutShadows)
+{
+  Scene scene;
+  auto window = MakeWindow(100, 80);
+  window->AddRenderer(scene.Renderer);
+  // No light, only a headlight, a light without a direction, an empty mesh.
+  window->Render();
+  vtkSmartPointer<vtkLight> headlight = scene.AddHeadlight(1.0);
+  window->Render();
+  EXPECT_EQ(scene.Pass->GetMask(headlight), nullptr);
+  vtkSmartPointer<vtkLight> light = scene.AddLight({ 0.0, 0.0, 0.0, 0.0 });
+  window->Render();
+  EXPECT_EQ(scene.Pass->GetMask(light), nullptr);
+  light->SetPosition(1.0, 1.0, 1.0);
+  scene.Add(vtkNew<vtkPolyData>());
+  vtkNew<vtkActor> withoutMapper;
+  scene.Renderer->AddActor(withoutMapper);
+  window->Render();
+  ASSERT_TRUE(scene.Mask(light));
+  EXPECT_EQ(blackFraction(scene.Mask(light)), 0.0);
+}

@@ -1,0 +1,54 @@
+#include "PolylineDistance.h"
+
+#include <vtkCellArray.h>
+#include <vtkLine.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shadowtest
+{
+namespace
+{
+double farthestFrom(vtkPolyData* polylines, vtkPolyData* points)
+{
+  double farthest = 0.0;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    points->GetPoint(i, point);
+    farthest = std::max(farthest, distanceToLines(polylines, point));
+  }
+  return farthest;
+}
+}
+
+double distanceToLines(vtkPolyData* polylines, const double point[3])
+{
+  double least = std::numeric_limits<double>::infinity();
+  vtkCellArray* lines = polylines->GetLines();
+  for (vtkIdType cell = 0; cell < lines->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    lines->GetCellAtId(cell, size, ids);
+    for (vtkIdType i = 0; i + 1 < size; ++i)
+    {
+      double p[3];
+      double q[3];
+      double t;
+      polylines->GetPoint(ids[i], p);
+      polylines->GetPoint(ids[i + 1], q);
+      least = std::min(least, vtkLine::DistanceToLine(point, p, q, t, nullptr));
+    }
+  }
+  return std::sqrt(least);
+}
+
+double hausdorffDistance(vtkPolyData* a, vtkPolyData* b)
+{
+  return std::max(farthestFrom(a, b), farthestFrom(b, a));
+}
+}

@@ -1,0 +1,18 @@
+/**
+ * @brief How far apart polylines are.
+ */
+#ifndef shadowtest_PolylineDistance_h
+#define shadowtest_PolylineDistance_h
+
+class vtkPolyData;
+
+namespace shadowtest
+{
+/// Distance of a point from the nearest place on any line of the polydata; infinite without lines.
+double distanceToLines(vtkPolyData* polylines, const double point[3]);
+
+/// Hausdorff distance, measured at the points of both.
+double hausdorffDistance(vtkPolyData* a, vtkPolyData* b);
+}
+
+#endif
