@@ -9,8 +9,8 @@
 
 namespace shadow
 {
-/// How many of a mesh's corner normals are estimates, and how many of those are means of the triangles
-/// around, where no jet could be fitted. Both are 0 for a mesh that came with normals.
+/// How many of a mesh's corner normals are estimates, and how many of those are means of the
+/// triangles around, where no jet could be fitted. Both are 0 for a mesh that came with normals.
 struct NormalCounts
 {
   std::size_t estimated = 0;
