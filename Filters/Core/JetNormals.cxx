@@ -10,14 +10,23 @@ namespace
 {
 // Where a neighbour's normal turns by more, angle weights are nearer to the truth more often than
 // not, on exact samples of curved shapes; just below they are farther from it.
-constexpr double mostSpread = 0.5; // cosine of 60 degrees
+constexpr double mostSpread = 0.5; // 1 - cosine of 60 degrees
 
-// With the bound on the spread, jets that turn by up to 35 degrees (on points with noise of a tenth
-// of an edge) were better still; this is for what is beyond all measure.
-constexpr double mostTurn = 0.7071; // cosine of 45 degrees
+// With the bound on the spread, the jets of smooth shapes turn by at most 15 degrees against the
+// angle weights (noise in the points of 3% of an edge). On mechanical parts those that turn by more
+// are wrong.
+constexpr double mostTurn = 0.9397; // cosine of 20 degrees
 
 // Between 1e-6 and 1e-2 all is the same on smooth shapes; from 3e-2 on good fits are refused.
 constexpr double leastCertainty = 1e-3;
+
+// The triangles at a vertex of a smooth surface turn about a quarter of what the vertices two rings
+// away do. If they turn by less than a twentieth (here squared) they belong to a flat face beside a
+// bend, and say its normal exactly. Fewer than three triangles are flat without saying anything, and
+// a bend of less than a ten-thousandth is none.
+constexpr double flatFan = 0.05 * 0.05;
+constexpr Index leastFan = 3;
+constexpr double leastBend = 0.5e-8;
 
 // Rings are added while the vertices do not suffice. More than four are far away.
 constexpr int mostRings = 4;
@@ -68,26 +77,27 @@ public:
   /// Zero where the jet is of no use.
   Vec3 fit(Index normal)
   {
-    const Vec3& rough = this->Mesh.normals[normal];
-    if (rough == Vec3(0.0))
+    if (this->Mesh.normals[normal] == Vec3(0.0))
     {
-      return rough;
+      return Vec3(0.0);
     }
     this->Members.assign(1, normal);
     this->LastRing = 0;
-    for (int ring = 1; ring <= mostRings && this->addRing(); ++ring)
+    this->Spread = 0.0;
+    Vec3 fitted(0.0);
+    for (int ring = 1; ring <= mostRings && fitted == Vec3(0.0) && this->addRing(); ++ring)
     {
       if (this->Members.size() >= fewestForCubic)
       {
-        const Vec3 fitted = this->fitMembers();
-        if (fitted != Vec3(0.0))
+        if (this->isFlatBesideABend())
         {
-          return fitted;
+          return Vec3(0.0);
         }
+        fitted = this->fitMembers();
       }
     }
     const bool few = this->Members.size() < fewestForCubic;
-    return few && !this->TooBent ? this->fitMembers() : Vec3(0.0);
+    return few && this->Spread <= mostSpread ? this->fitMembers() : fitted;
   }
 
 private:
@@ -95,7 +105,6 @@ private:
   /// too much.
   bool addRing()
   {
-    this->TooBent = false;
     const std::size_t end = this->Members.size();
     for (std::size_t i = this->LastRing; i < end; ++i)
     {
@@ -109,7 +118,7 @@ private:
         this->add(t[next(corner % 3)]);
         this->add(t[next(next(corner % 3))]);
       }
-      if (this->TooBent)
+      if (this->Spread > mostSpread)
       {
         return false;
       }
@@ -126,9 +135,29 @@ private:
     {
       return;
     }
-    this->TooBent =
-      this->TooBent || !(glm::dot(direction, this->Mesh.normals[this->Members[0]]) >= mostSpread);
+    this->Spread =
+      std::fmax(this->Spread, 1.0 - glm::dot(direction, this->Mesh.normals[this->Members[0]]));
     this->Members.push_back(normal);
+  }
+
+  bool isFlatBesideABend() const
+  {
+    const Index first = this->TheFans.first[this->Members[0]];
+    const Index last = this->TheFans.first[this->Members[0] + 1];
+    if (last - first < leastFan || this->Spread < leastBend)
+    {
+      return false;
+    }
+    for (Index c = first; c < last; ++c)
+    {
+      const Vec3 flat = unitOrZero(this->Mesh.areaNormal(this->TheFans.corners[c] / 3));
+      const double turn = 1.0 - glm::dot(flat, this->Mesh.normals[this->Members[0]]);
+      if (flat != Vec3(0.0) && turn > flatFan * this->Spread)
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
   const Vec3& place(Index normal) const
@@ -169,7 +198,7 @@ private:
   std::vector<Index> Members; // by their normals; the first is the one that is fitted
   std::vector<JetSample> Samples;
   std::size_t LastRing = 0; // where it starts in Members
-  bool TooBent = false;
+  double Spread = 0.0; // 1 - cosine of the most that a member's normal turns
 };
 }
 

@@ -112,8 +112,8 @@ public:
    * Where the mesh has no point normals they are estimated, and edges whose faces turn by more
    * than this angle split them: such an edge is a crease. In degrees, 0 to 180, default 60.
    * A polynomial is fitted to the points around each (Cazals & Pouget 2005), which keeps the
-   * smooth contour's order of 4. Where that is not possible (too few points, or faces that turn by
-   * more than 60 degrees among them) the normal is the faces' mean, weighted by their angles.
+   * smooth contour's order of 4. Where that is not possible (too few points, faces that turn by
+   * more than 60 degrees among them, or a flat face beside a bend) the normal is the faces' mean, weighted by their angles.
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
