@@ -21,15 +21,16 @@ constexpr double mostTurn = 0.9397; // cosine of 20 degrees
 constexpr double leastCertainty = 1e-3;
 
 // The triangles at a vertex of a smooth surface turn about a quarter of what the vertices two rings
-// away do. If they turn by less than a twentieth (here squared) they belong to a flat face beside a
-// bend, and say its normal exactly. Fewer than three triangles are flat without saying anything, and
-// a bend of less than a ten-thousandth is none.
+// away do. If they turn by less than a twentieth (here squared) they belong to a flat face beside
+// a bend, and say its normal exactly. Fewer than three triangles are flat without saying anything,
+// and a bend of less than a ten-thousandth is none.
 constexpr double flatFan = 0.05 * 0.05;
 constexpr Index leastFan = 3;
 constexpr double leastBend = 0.5e-8;
 
-// Rings are added while the vertices do not suffice. More than four are far away.
-constexpr int mostRings = 4;
+// Rings are added while the vertices do not suffice. Even at the corner of a sheet, with one
+// triangle, five rings have sixteen.
+constexpr int mostRings = 5;
 
 // Bounds on the work where very many triangles meet, as at the pole of a sphere.
 constexpr std::size_t mostVertices = 96;
