@@ -1,18 +1,21 @@
 #include "Caster.h"
 
+#include "JetNormals.h"
 #include "VertexNormals.h"
 
 #include <algorithm>
 
 namespace shadow
 {
-Caster::Caster(TriangleMesh mesh, double featureAngle)
+Caster::Caster(TriangleMesh mesh, double featureAngle, const RangeLoop& loop)
   : Mesh(std::move(mesh))
   , Edges(buildEdgeTable(this->Mesh))
 {
   if (this->Mesh.normals.empty())
   {
     estimateCornerNormals(this->Mesh, this->Edges, featureAngle);
+    this->Normals.estimated = this->Mesh.normals.size();
+    this->Normals.fallback = fitJetNormals(this->Mesh, loop);
   }
   else
   {

@@ -9,6 +9,14 @@
 
 namespace shadow
 {
+/// How many of a mesh's corner normals are estimates, and how many of those are means of the
+/// triangles around, where no jet could be fitted. Both are 0 for a mesh that came with normals.
+struct NormalCounts
+{
+  std::size_t estimated = 0;
+  std::size_t fallback = 0;
+};
+
 /// Built once for a mesh and shared; safe to be used from several threads. Memory: about 150 bytes a
 /// triangle, and 300 for each edge that a smooth contour has crossed so far.
 class Caster
@@ -16,12 +24,13 @@ class Caster
 public:
   /// Takes a mesh with corner normals, or estimates them (normals empty), splitting edges whose
   /// triangles turn by more than featureAngle (radians).
-  Caster(TriangleMesh mesh, double featureAngle);
+  Caster(TriangleMesh mesh, double featureAngle, const RangeLoop& loop);
 
   const TriangleMesh& mesh() const { return this->Mesh; }
   const EdgeTable& edges() const { return this->Edges; }
   const ChainWeights& weights() const { return this->Weights; }
   const EdgeDefects& defects() const { return this->Defects; }
+  const NormalCounts& normalCounts() const { return this->Normals; }
 
   /// Edges on which a corner field's silhouette can run.
   const std::vector<Index>& linkEdges() const { return this->LinkEdges; }
@@ -45,6 +54,7 @@ private:
   EdgeTable Edges;
   ChainWeights Weights;
   EdgeDefects Defects;
+  NormalCounts Normals;
   std::vector<Index> LinkEdges;
   Vec3 Centre{ 0.0 };
   double Radius = 0.0;

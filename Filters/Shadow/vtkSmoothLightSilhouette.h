@@ -29,7 +29,9 @@
  * - FieldData `LightPosition` (4), `MaximumDeviation` (world units: no point of a polyline's curve
  *   is farther than this from the polyline), `SilhouetteKind`, `EdgesTested`, `SearchComplete`,
  *   `MergePoints`, `FeatureAngle`, and what was found in the mesh: `DegenerateCells`,
- *   `NonFiniteCells`, `BoundaryEdges`, `NonManifoldEdges`, `InconsistentEdges`.
+ *   `NonFiniteCells`, `BoundaryEdges`, `NonManifoldEdges`, `InconsistentEdges`,
+ *   `EstimatedNormals` (corner normals that the mesh did not bring; 0 if it has normals) and
+ *   `FallbackNormals` (those of them that are angle-weighted means, see FeatureAngle).
  *
  * What depends on the mesh alone is kept until the mesh is modified: a moved light pays for its
  * silhouette only.
@@ -109,6 +111,9 @@ public:
   /**
    * Where the mesh has no point normals they are estimated, and edges whose faces turn by more
    * than this angle split them: such an edge is a crease. In degrees, 0 to 180, default 60.
+   * A polynomial is fitted to the points around each (Cazals & Pouget 2005), which keeps the
+   * smooth contour's order of 4. Where that is not possible (too few points, faces that turn by
+   * more than 60 degrees among them, or a flat face beside a bend) the normal is the faces' mean, weighted by their angles.
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);

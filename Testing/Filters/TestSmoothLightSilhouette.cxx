@@ -309,6 +309,26 @@ TEST(SmoothLightSilhouette, DefectsAreCounted)
   EXPECT_EQ(shadowtest::fieldValue(apart.silhouette(), "BoundaryEdges"), 24.0);
 }
 
+TEST(SmoothLightSilhouette, EstimatedNormalsAreCounted)
+{
+  struct Case
+  {
+    shadowtest::Mesh mesh;
+    double estimated;
+    double fallback;
+  };
+  const Case cases[] = { { shadowtest::icosphere(3), 0.0, 0.0 },
+    { shadowtest::withoutNormals(shadowtest::icosphere(3)), 642.0, 0.0 },
+    { shadowtest::weldedBox(), 24.0, 24.0 } };
+  for (const Case& c : cases)
+  {
+    ShadowPipeline pipeline(c.mesh, Lights[3], vtkSmoothLightSilhouette::SMOOTH);
+    vtkPolyData* output = pipeline.silhouette();
+    EXPECT_EQ(shadowtest::fieldValue(output, "EstimatedNormals"), c.estimated);
+    EXPECT_EQ(shadowtest::fieldValue(output, "FallbackNormals"), c.fallback);
+  }
+}
+
 TEST(SmoothLightSilhouette, ModifiedMeshesAreReadAgain)
 {
   const shadowtest::Mesh sphere = shadowtest::sphere(8, 12);

@@ -88,6 +88,24 @@ TEST(SmoothOrder, SmoothShadowBoundariesConvergeWithOrderFour)
   }
 }
 
+// Normals are estimated by jets: angle-weighted ones end at order 2.
+TEST(SmoothOrder, MeshesWithoutNormalsKeepTheOrder)
+{
+  for (Study study : Studies)
+  {
+    const auto withNormals = study.mesh;
+    study.mesh = [withNormals](int level)
+    { return shadowtest::withoutNormals(withNormals(level)); };
+    for (const LightPosition& light : Lights)
+    {
+      const Fit fit = converge(study, light, vtkSmoothLightSilhouette::SMOOTH);
+      EXPECT_GE(fit.order, shadowtest::tolerance::SmoothOrder)
+        << study.name << ", w = " << light[3] << ", finest " << fit.finest;
+      EXPECT_LT(fit.finest, 1e-6) << study.name << ", w = " << light[3];
+    }
+  }
+}
+
 TEST(SmoothOrder, OthersConvergeWithOrderTwo)
 {
   for (const Study& study : Studies)

@@ -3,6 +3,7 @@
 #define CasterCache_h
 
 #include "Caster.h"
+#include "SMPRangeLoop.h"
 
 #include "vtkType.h"
 
@@ -24,7 +25,7 @@ struct CasterSettings
 struct PreparedCaster
 {
   PreparedCaster(shadow::TriangleMesh mesh, double featureAngle)
-    : caster(std::move(mesh), featureAngle)
+    : caster(std::move(mesh), featureAngle, smpRangeLoop)
   {
   }
 

@@ -119,6 +119,8 @@ void writeDiagnosis(const PreparedCaster& prepared, vtkPolyData* output)
   addCount(output, "BoundaryEdges", defects.boundary);
   addCount(output, "NonManifoldEdges", defects.nonManifold);
   addCount(output, "InconsistentEdges", defects.inconsistent);
+  addCount(output, "EstimatedNormals", prepared.caster.normalCounts().estimated);
+  addCount(output, "FallbackNormals", prepared.caster.normalCounts().fallback);
 }
 
 // As often as the triangles of a mesh may meet at an edge.
