@@ -51,7 +51,8 @@ int vtkSmoothLightSilhouette::RequestData(
   PreparedCaster& prepared = this->Cache->get(input, settings.caster);
   const double unit =
     this->ToleranceMode == RELATIVE ? 2.0 * prepared.caster.radius() : 1.0;
-  const auto chain = prepared.caster.silhouette(settings.light, settings.kind, smpRangeLoop);
+  const auto chain = prepared.caster.silhouette(settings.light, settings.kind,
+    static_cast<shadow::SearchMethod>(this->Search), smpRangeLoop);
   const shadow::SilhouetteLoops loops = shadow::traceLoops(chain->pieces);
   if (!loops.balanced)
   {
@@ -71,6 +72,7 @@ void vtkSmoothLightSilhouette::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LightPosition: (" << this->LightPosition[0] << ", " << this->LightPosition[1]
      << ", " << this->LightPosition[2] << ", " << this->LightPosition[3] << ")\n";
   os << indent << "Kind: " << this->Kind << "\n";
+  os << indent << "Search: " << this->Search << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "ToleranceMode: " << this->ToleranceMode << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
