@@ -66,6 +66,11 @@ int vtkSmoothLightSilhouette::RequestData(
   return 1;
 }
 
+unsigned long vtkSmoothLightSilhouette::GetKeptMemorySize() const
+{
+  return static_cast<unsigned long>((this->Cache->memory() + 1023) / 1024);
+}
+
 void vtkSmoothLightSilhouette::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -77,4 +82,5 @@ void vtkSmoothLightSilhouette::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ToleranceMode: " << this->ToleranceMode << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MergePoints: " << this->MergePoints << "\n";
+  os << indent << "KeptMemorySize: " << this->GetKeptMemorySize() << "\n";
 }

@@ -147,6 +147,12 @@ public:
   vtkBooleanMacro(MergePoints, bool);
   ///@}
 
+  /**
+   * What is kept of the mesh between updates, trees included, in kibibytes as GetActualMemorySize of
+   * data. Filters that read the same mesh share it.
+   */
+  unsigned long GetKeptMemorySize() const;
+
 protected:
   vtkSmoothLightSilhouette();
   ~vtkSmoothLightSilhouette() override;
