@@ -2,6 +2,7 @@
 #pragma once
 
 #include "EdgeCurveCache.h"
+#include "PlaceIndex.h"
 #include "SilhouetteChain.h"
 
 #include <memory>
@@ -17,8 +18,8 @@ struct NormalCounts
   std::size_t fallback = 0;
 };
 
-/// Built once for a mesh and shared; safe to be used from several threads. Memory: about 150 bytes a
-/// triangle, and 300 for each edge that a smooth contour has crossed so far.
+/// Built once for a mesh and shared; safe to be used from several threads. A tree for the search is
+/// built when a method first needs it, one for face fields and one for corner fields.
 class Caster
 {
 public:
@@ -42,13 +43,32 @@ public:
   /// The curves of these edges, in their order. They are kept.
   std::vector<EdgeCurve> curves(const std::vector<Index>& wanted, const RangeLoop& loop);
 
-  /// The silhouette of a light; the last one is kept. A light on a vertex is taken to be just above
-  /// the surface there, by 1e-6 of the radius, as the rule takes it that calls a field of zero lit.
+  /// The silhouette of a light; the last one is kept, and given whenever it is of the method asked
+  /// for, Automatic being content with any. A light on a vertex is taken to be just above the surface
+  /// there, by 1e-6 of the radius, as the rule takes it that calls a field of zero lit.
+  ///
+  /// Automatic takes the hierarchy from the second light on, so that a mesh which is new each time
+  /// never pays for a tree.
   std::shared_ptr<const SilhouetteChain> silhouette(
-    const Light& light, SilhouetteKind kind, const RangeLoop& loop);
+    const Light& light, SilhouetteKind kind, SearchMethod method, const RangeLoop& loop);
+
+  SearchedMesh searched() const
+  {
+    return { this->Mesh, this->Edges, this->Weights, this->LinkEdges };
+  }
+
+  /// By BruteForce or Hierarchy.
+  SearchResult search(
+    const Light& light, FieldKind kind, SearchMethod method, const RangeLoop& loop);
+
+  /// Bytes that are kept, without what allocators add.
+  std::size_t memory() const;
 
 private:
-  Light offTheSurface(const Light& light) const;
+  SearchMethod chooseMethod(FieldKind kind) const;
+  Light offTheSurface(const Light& light, SearchMethod method);
+  std::shared_ptr<const SearchTree> searchTree(FieldKind kind, const RangeLoop& loop);
+  Index normalAt(const Light& light, SearchMethod method);
 
   TriangleMesh Mesh;
   EdgeTable Edges;
@@ -61,7 +81,10 @@ private:
 
   EdgeCurveCache EdgeCurves;
 
-  std::mutex Guard; ///< of the last silhouette; never held while one is made
+  mutable std::mutex Guard; ///< of what follows; never held while something is made
+  std::array<std::shared_ptr<const SearchTree>, 2> Trees; ///< by kind of field
+  std::array<std::size_t, 2> Searches{ 0, 0 };            ///< how many there were, by kind of field
+  std::shared_ptr<const PlaceIndex> Places;
   Light LastLight;
   std::shared_ptr<const SilhouetteChain> Last;
 };

@@ -3,16 +3,10 @@
 #pragma once
 
 #include "EdgeTable.h"
+#include "LightFacing.h"
 
 namespace shadow
 {
-/// Whether the field that tells lit from dark has a value per face or per corner.
-enum class FieldKind
-{
-  Face,
-  Corner
-};
-
 /// Which homologous chain serves as the near cap of a shadow volume.
 enum class CapSide
 {

@@ -42,4 +42,10 @@ std::vector<EdgeCurve> EdgeCurveCache::get(const TriangleMesh& mesh, const EdgeT
   }
   return curves;
 }
+
+std::size_t EdgeCurveCache::memory() const
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  return this->Place.capacity() * sizeof(Index) + this->Curves.capacity() * sizeof(EdgeCurve);
+}
 }

@@ -17,8 +17,10 @@ public:
   std::vector<EdgeCurve> get(const TriangleMesh& mesh, const EdgeTable& edges,
     const std::vector<Index>& wanted, const RangeLoop& loop);
 
+  std::size_t memory() const; ///< bytes
+
 private:
-  std::mutex Guard;
+  mutable std::mutex Guard;
   std::vector<Index> Place; ///< where each edge's curve is, None if it is not yet there
   std::vector<EdgeCurve> Curves;
 };

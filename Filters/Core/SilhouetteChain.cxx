@@ -21,30 +21,28 @@ public:
   {
   }
 
-  void buildFromFaces()
+  void buildFromFaces(const SearchResult& found)
   {
-    const std::vector<Index> found =
-      findFaceSilhouette(this->Mesh, this->Edges, this->TheCaster.weights(), this->Chain.field, this->Loop);
-    for (const Index e : found)
+    const SearchedMesh searched = this->TheCaster.searched();
+    for (const Index e : found.edges)
     {
       const int m = faceMultiplicity(
-        this->Mesh, this->Edges, this->TheCaster.weights(), this->Chain.field, e);
+        searched, [&](Index t) { return this->Chain.field.lit(t); }, e);
       this->addPiece(this->Edges.edges[e].a, this->Edges.edges[e].b, e, false, m);
     }
   }
 
-  void buildFromCorners()
+  void buildFromCorners(const SearchResult& found)
   {
-    const std::vector<Index> mixed = findMixedTriangles(this->Mesh, this->Chain.field, this->Loop);
-    this->findCrossedEdges(mixed);
+    this->findCrossedEdges(found.triangles);
     this->listCrossings();
     this->solveCrossings();
     this->orderCrossings();
-    for (const Index t : mixed)
+    for (const Index t : found.triangles)
     {
       this->addChord(t);
     }
-    for (const Index e : this->TheCaster.linkEdges())
+    for (const Index e : found.edges)
     {
       this->addLinks(e);
     }
@@ -149,8 +147,8 @@ private:
     const Vec3& b = this->Mesh.points[this->Edges.edges[c.edge].b];
     const Vec3& normalA = this->Mesh.normals[c.normals.a];
     const Vec3& normalB = this->Mesh.normals[c.normals.b];
-    const double fieldA = this->Chain.field.values[c.normals.a];
-    const double fieldB = this->Chain.field.values[c.normals.b];
+    const double fieldA = this->Chain.field.value(c.normals.a);
+    const double fieldB = this->Chain.field.value(c.normals.b);
     EdgeCurve::Sample sample{ Vec3(0.0), Vec3(0.0) };
     if (curve)
     {
@@ -316,23 +314,26 @@ Index SilhouetteChain::crossingOf(Index edge, const SideNormals& normals) const
   return None;
 }
 
-SilhouetteChain buildSilhouetteChain(
-  Caster& caster, const Light& light, SilhouetteKind kind, const RangeLoop& loop)
+SilhouetteChain buildSilhouetteChain(Caster& caster, const Light& light, SilhouetteKind kind,
+  SearchMethod method, const RangeLoop& loop)
 {
-  const bool discrete = kind == SilhouetteKind::Discrete;
+  const FieldKind fieldKind =
+    kind == SilhouetteKind::Discrete ? FieldKind::Face : FieldKind::Corner;
   SilhouetteChain chain;
   chain.light = light;
   chain.kind = kind;
-  chain.field = evaluateField(
-    caster.mesh(), light, discrete ? FieldKind::Face : FieldKind::Corner, loop);
+  chain.field = LightField(caster.mesh(), light, fieldKind);
+  chain.method = method;
+  const SearchResult found = caster.search(light, fieldKind, method, loop);
+  chain.itemsTested = found.tested;
   ChainBuilder builder(caster, chain, loop);
-  if (discrete)
+  if (fieldKind == FieldKind::Face)
   {
-    builder.buildFromFaces();
+    builder.buildFromFaces(found);
   }
   else
   {
-    builder.buildFromCorners();
+    builder.buildFromCorners(found);
   }
   return chain;
 }

@@ -36,12 +36,14 @@ struct Piece
   int multiplicity; ///< at least 1
 };
 
-/// Immutable once built.
+/// Immutable once built; for as long as its caster is there.
 struct SilhouetteChain
 {
   Light light;
   SilhouetteKind kind = SilhouetteKind::Smooth;
-  LightField field;
+  LightField field;                 ///< of the caster's mesh
+  SearchMethod method = SearchMethod::BruteForce; ///< how it was found, never Automatic
+  std::size_t itemsTested = 0;      ///< triangles and edges that the search looked at
   std::vector<Index> crossedEdges;  ///< ascending
   std::vector<Index> firstCrossing; ///< of each crossed edge, and the end
   std::vector<Crossing> crossings;  ///< of each crossed edge in order of parameter
@@ -57,8 +59,8 @@ struct SilhouetteChain
 
 class Caster;
 
-/// Builds the chain of a light. O(triangles + edges) for the search, the rest in proportion to
-/// the silhouette. Same result for every loop.
-SilhouetteChain buildSilhouetteChain(
-  Caster& caster, const Light& light, SilhouetteKind kind, const RangeLoop& loop);
+/// Builds the chain of a light, the search by BruteForce or Hierarchy; all else is in proportion to
+/// the silhouette. Same result for every loop and for both methods.
+SilhouetteChain buildSilhouetteChain(Caster& caster, const Light& light, SilhouetteKind kind,
+  SearchMethod method, const RangeLoop& loop);
 }

@@ -1,53 +1,101 @@
 #include "SilhouetteSearch.h"
 
-#include "LightFacing.h"
+#include <algorithm>
+#include <iterator>
 
 namespace shadow
 {
-LightField evaluateField(
-  const TriangleMesh& mesh, const Light& light, FieldKind kind, const RangeLoop& loop)
+namespace
 {
-  LightField field{ kind, {} };
-  field.values.resize(kind == FieldKind::Face ? mesh.triangles.size() : mesh.normals.size());
-  loop(field.values.size(), lightGrain,
-    [&](std::size_t begin, std::size_t end)
-    {
-      const auto kernel = kind == FieldKind::Face ? faceField : cornerField;
-      kernel(mesh, light, begin, end, field.values.data());
-    });
-  return field;
+template <class IsLit>
+bool isMixed(const TriangleMesh& mesh, const IsLit& isLit, Index triangle)
+{
+  const Triangle& n = mesh.cornerNormals[triangle];
+  const bool lit = isLit(n[0]);
+  return lit != isLit(n[1]) || lit != isLit(n[2]);
 }
 
-std::vector<Index> findMixedTriangles(
+/// Bytes and no bits: ranges are filled by several threads.
+std::vector<std::uint8_t> findLit(
   const TriangleMesh& mesh, const LightField& field, const RangeLoop& loop)
 {
-  return selectIndices(mesh.triangles.size(), loop,
-    [&](Index t)
+  std::vector<std::uint8_t> lit(
+    field.kind() == FieldKind::Face ? mesh.triangles.size() : mesh.normals.size());
+  loop(lit.size(), lightGrain,
+    [&](std::size_t begin, std::size_t end)
     {
-      const Triangle& n = mesh.cornerNormals[t];
-      const bool lit = field.lit(n[0]);
-      return lit != field.lit(n[1]) || lit != field.lit(n[2]);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        lit[i] = field.lit(static_cast<Index>(i));
+      }
     });
+  return lit;
+}
 }
 
-int faceMultiplicity(const TriangleMesh& mesh, const EdgeTable& edges,
-  const ChainWeights& weights, const LightField& field, Index edge)
+SearchResult searchAll(
+  const SearchedMesh& searched, const Light& light, FieldKind kind, const RangeLoop& loop)
 {
-  int sum = 0;
-  for (Index i = edges.firstSide[edge]; i < edges.firstSide[edge + 1]; ++i)
+  const LightField field(searched.mesh, light, kind);
+  const std::vector<std::uint8_t> lit = findLit(searched.mesh, field, loop);
+  const auto isLit = [&](Index item) { return lit[item] != 0; };
+  SearchResult result;
+  if (kind == FieldKind::Face)
   {
-    const Side side = edges.sides[i];
-    const Index t = side / 3;
-    sum += sideSign(mesh, edges, edge, side) *
-      weights.silhouette(FieldKind::Face, t).of(field.lit(t));
+    result.tested = searched.edges.edges.size();
+    result.edges = selectIndices(result.tested, loop,
+      [&](Index e) { return faceMultiplicity(searched, isLit, e) != 0; });
+    return result;
   }
-  return sum;
+  result.tested = searched.mesh.triangles.size() + searched.linkEdges.size();
+  result.triangles = selectIndices(searched.mesh.triangles.size(), loop,
+    [&](Index t) { return isMixed(searched.mesh, isLit, t); });
+  result.edges = searched.linkEdges;
+  return result;
 }
 
-std::vector<Index> findFaceSilhouette(const TriangleMesh& mesh, const EdgeTable& edges,
-  const ChainWeights& weights, const LightField& field, const RangeLoop& loop)
+SearchTree buildSearchTree(const SearchedMesh& searched, FieldKind kind, const Vec3& centre,
+  double radius, const RangeLoop& loop)
 {
-  return selectIndices(edges.edges.size(), loop,
-    [&](Index e) { return faceMultiplicity(mesh, edges, weights, field, e) != 0; });
+  SearchItems items = kind == FieldKind::Face
+    ? faceItems(searched.mesh, searched.edges, centre, radius, loop)
+    : cornerItems(searched.mesh, searched.edges, searched.weights, searched.linkEdges, centre,
+        radius, loop);
+  return { FacingHierarchy(items.items, loop), std::move(items.apart) };
+}
+
+SearchResult searchTree(const SearchedMesh& searched, const SearchTree& tree, const Light& light,
+  FieldKind kind, const RangeLoop& loop)
+{
+  const LightField field(searched.mesh, light, kind);
+  const auto isLit = [&](Index item) { return field.lit(item); };
+  SearchResult result;
+  result.tested = tree.apart.size();
+  const std::vector<Index> candidates = tree.hierarchy.candidates(light, loop, result.tested);
+  if (kind == FieldKind::Face)
+  {
+    std::vector<Index>& edges = result.edges;
+    edges.resize(candidates.size() + tree.apart.size());
+    std::merge(candidates.begin(), candidates.end(), tree.apart.begin(), tree.apart.end(),
+      edges.begin());
+    edges.erase(std::remove_if(edges.begin(), edges.end(),
+                  [&](Index e) { return faceMultiplicity(searched, isLit, e) == 0; }),
+      edges.end());
+    return result;
+  }
+  // Creases are numbered behind the triangles.
+  const Index triangleCount = static_cast<Index>(searched.mesh.triangles.size());
+  const auto firstCrease = std::lower_bound(candidates.begin(), candidates.end(), triangleCount);
+  std::copy_if(candidates.begin(), firstCrease, std::back_inserter(result.triangles),
+    [&](Index t) { return isMixed(searched.mesh, isLit, t); });
+  std::vector<Index> creases(firstCrease, candidates.end());
+  for (Index& crease : creases)
+  {
+    crease -= triangleCount;
+  }
+  result.edges.resize(creases.size() + tree.apart.size());
+  std::merge(creases.begin(), creases.end(), tree.apart.begin(), tree.apart.end(),
+    result.edges.begin());
+  return result;
 }
 }

@@ -22,7 +22,7 @@ public:
   {
     const std::vector<bool> crossed = this->trianglesAtCrossedEdges();
     const ChainWeights& weights = this->TheCaster.weights();
-    const FieldKind kind = this->Chain.field.kind;
+    const FieldKind kind = this->Chain.field.kind();
     const std::vector<bool> onDarkField = weights.capsOnDarkField(kind, this->Which);
     this->Triangles.reserve(this->Triangles.size() + this->Mesh.triangles.size());
     for (std::size_t i = 0; i < this->Mesh.triangles.size(); ++i)
@@ -48,7 +48,7 @@ private:
   bool litAt(Index t, unsigned corner) const
   {
     return this->Chain.field.lit(
-      this->Chain.field.kind == FieldKind::Face ? t : this->Mesh.cornerNormals[t][corner]);
+      this->Chain.field.kind() == FieldKind::Face ? t : this->Mesh.cornerNormals[t][corner]);
   }
 
   std::vector<bool> trianglesAtCrossedEdges() const

@@ -84,7 +84,8 @@ int vtkShadowVolumeExtruder::RequestData(
   }
 
   shadow::Caster& caster = this->Cache->get(input, settings.caster).caster;
-  const auto chain = caster.silhouette(settings.light, settings.kind, smpRangeLoop);
+  const auto chain = caster.silhouette(
+    settings.light, settings.kind, shadow::SearchMethod::Automatic, smpRangeLoop);
   shadow::SilhouetteInput silhouette;
   if (!given)
   {

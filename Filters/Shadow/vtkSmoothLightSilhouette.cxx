@@ -49,7 +49,8 @@ int vtkSmoothLightSilhouette::RequestData(
   PreparedCaster& prepared = this->Cache->get(input, settings.caster);
   const double unit =
     this->ToleranceMode == RELATIVE ? 2.0 * prepared.caster.radius() : 1.0;
-  const auto chain = prepared.caster.silhouette(settings.light, settings.kind, smpRangeLoop);
+  const auto chain = prepared.caster.silhouette(settings.light, settings.kind,
+    static_cast<shadow::SearchMethod>(this->Search), smpRangeLoop);
   const shadow::SilhouetteLoops loops = shadow::traceLoops(chain->pieces);
   if (!loops.balanced)
   {
@@ -63,14 +64,21 @@ int vtkSmoothLightSilhouette::RequestData(
   return 1;
 }
 
+unsigned long vtkSmoothLightSilhouette::GetKeptMemorySize() const
+{
+  return static_cast<unsigned long>((this->Cache->memory() + 1023) / 1024);
+}
+
 void vtkSmoothLightSilhouette::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LightPosition: (" << this->LightPosition[0] << ", " << this->LightPosition[1]
      << ", " << this->LightPosition[2] << ", " << this->LightPosition[3] << ")\n";
   os << indent << "Kind: " << this->Kind << "\n";
+  os << indent << "Search: " << this->Search << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "ToleranceMode: " << this->ToleranceMode << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MergePoints: " << this->MergePoints << "\n";
+  os << indent << "KeptMemorySize: " << this->GetKeptMemorySize() << "\n";
 }

@@ -27,11 +27,12 @@
  *   vertices and crossings, -1 between these; vtkShadowVolumeExtruder needs it).
  * - CellData `Kind` (0 contour, 1 crease, 2 border, 3 mixed), `Closed` (always 1), `Multiplicity`.
  * - FieldData `LightPosition` (4), `MaximumDeviation` (world units: no point of a polyline's curve
- *   is farther than this from the polyline), `SilhouetteKind`, `EdgesTested`, `SearchComplete`,
- *   `MergePoints`, `FeatureAngle`, and what was found in the mesh: `DegenerateCells`,
- *   `NonFiniteCells`, `BoundaryEdges`, `NonManifoldEdges`, `InconsistentEdges`,
- *   `EstimatedNormals` (corner normals that the mesh did not bring; 0 if it has normals) and
- *   `FallbackNormals` (those of them that are angle-weighted means, see FeatureAngle).
+ *   is farther than this from the polyline), `SilhouetteKind`, `EdgesTested` (how many edges, or
+ *   triangles and creases, the search looked at), `SearchComplete`, `MergePoints`, `FeatureAngle`,
+ *   and what was found in the mesh: `DegenerateCells`, `NonFiniteCells`, `BoundaryEdges`,
+ *   `NonManifoldEdges`, `InconsistentEdges`, `EstimatedNormals` (corner normals that the mesh did
+ *   not bring; 0 if it has normals) and `FallbackNormals` (those of them that are angle-weighted
+ *   means, see FeatureAngle).
  *
  * What depends on the mesh alone is kept until the mesh is modified: a moved light pays for its
  * silhouette only.
@@ -67,6 +68,13 @@ public:
     SMOOTH = 2
   };
 
+  enum SearchMethods
+  {
+    AUTOMATIC = 0,
+    BRUTE_FORCE = 1,
+    HIERARCHY = 2
+  };
+
   enum ToleranceModes
   {
     RELATIVE = 0,
@@ -91,6 +99,21 @@ public:
   void SetKindToDiscrete() { this->SetKind(DISCRETE); }
   void SetKindToAccurate() { this->SetKind(ACCURATE); }
   void SetKindToSmooth() { this->SetKind(SMOOTH); }
+  ///@}
+
+  ///@{
+  /**
+   * How the silhouette is searched for; what is found is the same, bit for bit. BRUTE_FORCE looks
+   * at the whole mesh. HIERARCHY keeps a tree of boxes with the mesh and looks only at what the
+   * tree cannot show to be all lit or all dark; the first update pays for the tree. AUTOMATIC takes
+   * the hierarchy on large meshes from the second light on that an unmodified mesh is given, so a
+   * mesh that is modified each time never pays for a tree. Default AUTOMATIC.
+   */
+  vtkSetClampMacro(Search, int, AUTOMATIC, HIERARCHY);
+  vtkGetMacro(Search, int);
+  void SetSearchToAutomatic() { this->SetSearch(AUTOMATIC); }
+  void SetSearchToBruteForce() { this->SetSearch(BRUTE_FORCE); }
+  void SetSearchToHierarchy() { this->SetSearch(HIERARCHY); }
   ///@}
 
   ///@{
@@ -129,6 +152,12 @@ public:
   vtkBooleanMacro(MergePoints, bool);
   ///@}
 
+  /**
+   * What is kept of the mesh between updates, trees included, in kibibytes as GetActualMemorySize of
+   * data. Filters that read the same mesh share it.
+   */
+  unsigned long GetKeptMemorySize() const;
+
 protected:
   vtkSmoothLightSilhouette();
   ~vtkSmoothLightSilhouette() override;
@@ -141,6 +170,7 @@ private:
 
   double LightPosition[4] = { 0.0, 0.0, 1.0, 0.0 };
   int Kind = SMOOTH;
+  int Search = AUTOMATIC;
   double Tolerance = 1e-4;
   int ToleranceMode = RELATIVE;
   double FeatureAngle = 60.0;

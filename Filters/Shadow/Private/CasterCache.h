@@ -42,6 +42,9 @@ public:
   // Prepares the mesh unless this or another filter holds it as it is now.
   PreparedCaster& get(vtkPolyData* mesh, const CasterSettings& settings);
 
+  // Bytes of what is held.
+  std::size_t memory() const { return this->Held ? this->Held->caster.memory() : 0; }
+
 private:
   std::shared_ptr<PreparedCaster> Held;
 };

@@ -167,7 +167,7 @@ void writeSilhouette(const PreparedCaster& prepared, const shadow::SilhouetteCha
   addField<vtkDoubleArray>(output, "MaximumDeviation", { lines.maximumDeviation });
   addField<vtkIntArray>(output, "SilhouetteKind", { static_cast<int>(settings.kind) });
   addField<vtkIntArray>(output, "SearchComplete", { 1 });
-  addCount(output, "EdgesTested", prepared.caster.edges().edges.size());
+  addCount(output, "EdgesTested", chain.itemsTested);
   addField<vtkIntArray>(output, "MergePoints", { static_cast<int>(settings.caster.mergePoints) });
   addField<vtkDoubleArray>(output, "FeatureAngle", { settings.caster.featureAngle });
   writeDiagnosis(prepared, output);

@@ -1,0 +1,176 @@
+// All methods of search find the same silhouette, byte for byte.
+
+#include "OutputComparison.h"
+#include "Random.h"
+#include "RandomMeshes.h"
+#include "RealMeshes.h"
+#include "ShadowPipeline.h"
+#include "TestMeshes.h"
+
+#include <vtkSMPTools.h>
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace
+{
+using shadowtest::LightPosition;
+
+vtkNew<vtkSmoothLightSilhouette> makeFilter(vtkPolyData* mesh, int search, int kind)
+{
+  vtkNew<vtkSmoothLightSilhouette> filter;
+  filter->SetInputData(mesh);
+  filter->SetSearch(search);
+  filter->SetKind(kind);
+  return filter;
+}
+
+/// Looks at all kinds for each light; gives the sum of what both methods looked at.
+std::array<double, 2> compareMethods(vtkPolyData* mesh, const std::vector<LightPosition>& lights)
+{
+  std::array<double, 2> tested{ 0.0, 0.0 };
+  for (const int kind : shadowtest::AllKinds)
+  {
+    const auto all = makeFilter(mesh, vtkSmoothLightSilhouette::BRUTE_FORCE, kind);
+    const auto tree = makeFilter(mesh, vtkSmoothLightSilhouette::HIERARCHY, kind);
+    for (std::size_t i = 0; i < lights.size(); ++i)
+    {
+      all->SetLightPosition(lights[i].data());
+      tree->SetLightPosition(lights[i].data());
+      all->Update();
+      tree->Update();
+      EXPECT_EQ(shadowtest::difference(all->GetOutput(), tree->GetOutput()), "")
+        << "silhouette kind " << kind << ", light " << i;
+      tested[0] += shadowtest::fieldValue(all->GetOutput(), "EdgesTested");
+      tested[1] += shadowtest::fieldValue(tree->GetOutput(), "EdgesTested");
+    }
+  }
+  return tested;
+}
+
+/// Around and inside of the mesh, far away, and along its axes: with ties where it has flat sides.
+std::vector<LightPosition> lightsAround(vtkPolyData* mesh, std::uint64_t seed)
+{
+  double centre[3];
+  mesh->GetCenter(centre);
+  const double size = mesh->GetLength();
+  shadowtest::Random random(seed);
+  std::vector<LightPosition> lights;
+  for (const double distance : { 0.2, 0.7, 2.0, 1e6 })
+  {
+    LightPosition light{ 0.0, 0.0, 0.0, 1.0 };
+    for (int i = 0; i < 3; ++i)
+    {
+      light[i] = centre[i] + distance * size * random.uniform(-1.0, 1.0);
+    }
+    lights.push_back(light);
+  }
+  lights.push_back({ random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),
+    random.uniform(-1.0, 1.0), 0.0 });
+  lights.push_back({ 0.0, 0.0, 1.0, 0.0 });
+  if (mesh->GetNumberOfPoints() > 0)
+  {
+    double p[3];
+    mesh->GetPoint(mesh->GetNumberOfPoints() / 2, p);
+    lights.push_back({ p[0], p[1], p[2], 1.0 });
+  }
+  return lights;
+}
+}
+
+TEST(SilhouetteSearch, MethodsAgreeOnRandomMeshes)
+{
+  for (std::uint64_t seed = 1; seed <= 1000 && !HasFailure(); ++seed)
+  {
+    const shadowtest::RandomMesh scene = shadowtest::randomMesh(seed);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", " + scene.Kind);
+    std::vector<LightPosition> lights = lightsAround(scene.Surface, seed);
+    lights.push_back(scene.Light);
+    compareMethods(scene.Surface, lights);
+  }
+}
+
+TEST(SilhouetteSearch, MethodsAgreeOnRealMeshes)
+{
+  const std::vector<std::string> names = shadowtest::cgalMeshNames();
+  EXPECT_GT(names.size(), 100u);
+  for (std::size_t i = 0; i < names.size() && !HasFailure(); ++i)
+  {
+    SCOPED_TRACE(names[i]);
+    const auto mesh = shadowtest::cgalMesh(names[i]);
+    compareMethods(mesh, lightsAround(mesh, i + 1));
+  }
+}
+
+// Far from the origin the rounding of a field in double is larger than that of the tree's floats.
+TEST(SilhouetteSearch, MethodsAgreeFarFromTheOriginAndAtAllSizes)
+{
+  for (const double size : { 1e-70, 1e-20, 1.0, 1e20, 1e70 })
+  {
+    for (const double away : { 0.0, 1e5, 1e10, 1e13 })
+    {
+      SCOPED_TRACE("size " + std::to_string(size) + ", away " + std::to_string(away));
+      const auto mesh = shadowtest::moved(
+        shadowtest::torus(60, 30), size, { size * away, -2.0 * size * away, 0.5 * size });
+      compareMethods(mesh, lightsAround(mesh, 7));
+    }
+  }
+}
+
+TEST(SilhouetteSearch, TheHierarchyLooksAtLittle)
+{
+  const auto bunny = shadowtest::bunny();
+  const std::array<double, 2> tested = compareMethods(bunny, lightsAround(bunny, 3));
+  EXPECT_LT(tested[1], 0.3 * tested[0]);
+  EXPECT_GT(tested[1], 0.0);
+}
+
+// A tree pays from the second light on; who modifies the mesh each time never gets one.
+TEST(SilhouetteSearch, AutomaticTakesTheHierarchyWhenTheLightMoves)
+{
+  const auto bunny = shadowtest::bunny();
+  vtkNew<vtkPolyData> mesh;
+  mesh->ShallowCopy(bunny);
+  const auto filter = makeFilter(
+    mesh, vtkSmoothLightSilhouette::AUTOMATIC, vtkSmoothLightSilhouette::DISCRETE);
+  const auto tested = [&](double x)
+  {
+    filter->SetLightPosition(x, 0.2, 1.0, 0.0);
+    filter->Update();
+    return shadowtest::fieldValue(filter->GetOutput(), "EdgesTested");
+  };
+  const double all = tested(0.1);
+  EXPECT_GT(all, 100000.0);
+  EXPECT_LT(tested(0.2), 0.5 * all);
+  EXPECT_LT(tested(0.3), 0.5 * all);
+  mesh->Modified();
+  EXPECT_EQ(tested(0.4), all);
+  mesh->Modified();
+  EXPECT_EQ(tested(0.5), all);
+}
+
+TEST(SilhouetteSearch, ThreadsDoNotMatterToTheHierarchy)
+{
+  const auto bunny = shadowtest::bunny();
+  const std::string usual = vtkSMPTools::GetBackend();
+  for (const int kind : shadowtest::AllKinds)
+  {
+    std::vector<vtkSmartPointer<vtkPolyData>> outputs;
+    for (const char* backend : { "Sequential", "STDThread" })
+    {
+      ASSERT_TRUE(vtkSMPTools::SetBackend(backend));
+      // Its own copy, or both would share one tree.
+      vtkNew<vtkPolyData> copy;
+      copy->ShallowCopy(bunny);
+      const auto filter = makeFilter(copy, vtkSmoothLightSilhouette::HIERARCHY, kind);
+      filter->SetLightPosition(0.3, 3.0, 2.0, 1.0);
+      filter->Update();
+      outputs.emplace_back(filter->GetOutput());
+    }
+    EXPECT_EQ(shadowtest::difference(outputs[0], outputs[1]), "");
+    EXPECT_EQ(shadowtest::fieldValue(outputs[0], "EdgesTested"),
+      shadowtest::fieldValue(outputs[1], "EdgesTested"));
+  }
+  vtkSMPTools::SetBackend(usual.c_str());
+}
