@@ -23,12 +23,12 @@ public:
 
   void buildFromFaces(const SearchResult& found)
   {
-    const SearchedMesh searched = this->TheCaster.searched();
-    for (const Index e : found.edges)
+    this->Chain.pieces.reserve(found.edges.size());
+    for (std::size_t i = 0; i < found.edges.size(); ++i)
     {
-      const int m = faceMultiplicity(
-        searched, [&](Index t) { return this->Chain.field.lit(t); }, e);
-      this->addPiece(this->Edges.edges[e].a, this->Edges.edges[e].b, e, false, m);
+      const Index e = found.edges[i];
+      const Edge& ends = this->Edges.edges[e];
+      this->addPiece(ends.a, ends.b, e, false, found.multiplicities[i]);
     }
   }
 
@@ -127,7 +127,7 @@ private:
     {
       curves = this->TheCaster.curves(this->Chain.crossedEdges, this->Loop);
     }
-    this->Loop(this->Chain.crossedEdges.size(), heavyGrain,
+    this->Loop(this->Chain.crossedEdges.size(), curves.empty() ? lightGrain : heavyGrain,
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t i = begin; i < end; ++i)

@@ -45,6 +45,10 @@ SearchResult searchAll(
     result.tested = searched.edges.edges.size();
     result.edges = selectIndices(result.tested, loop,
       [&](Index e) { return faceMultiplicity(searched, isLit, e) != 0; });
+    for (const Index e : result.edges)
+    {
+      result.multiplicities.push_back(faceMultiplicity(searched, isLit, e));
+    }
     return result;
   }
   result.tested = searched.mesh.triangles.size() + searched.linkEdges.size();
@@ -74,13 +78,20 @@ SearchResult searchTree(const SearchedMesh& searched, const SearchTree& tree, co
   const std::vector<Index> candidates = tree.hierarchy.candidates(light, loop, result.tested);
   if (kind == FieldKind::Face)
   {
-    std::vector<Index>& edges = result.edges;
-    edges.resize(candidates.size() + tree.apart.size());
+    std::vector<Index> edges(candidates.size() + tree.apart.size());
     std::merge(candidates.begin(), candidates.end(), tree.apart.begin(), tree.apart.end(),
       edges.begin());
-    edges.erase(std::remove_if(edges.begin(), edges.end(),
-                  [&](Index e) { return faceMultiplicity(searched, isLit, e) == 0; }),
-      edges.end());
+    result.edges.reserve(edges.size());
+    result.multiplicities.reserve(edges.size());
+    for (const Index e : edges)
+    {
+      const int multiplicity = faceMultiplicity(searched, isLit, e);
+      if (multiplicity != 0)
+      {
+        result.edges.push_back(e);
+        result.multiplicities.push_back(multiplicity);
+      }
+    }
     return result;
   }
   // Creases are numbered behind the triangles.
