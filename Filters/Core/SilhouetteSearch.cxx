@@ -81,15 +81,22 @@ SearchResult searchTree(const SearchedMesh& searched, const SearchTree& tree, co
     std::vector<Index> edges(candidates.size() + tree.apart.size());
     std::merge(candidates.begin(), candidates.end(), tree.apart.begin(), tree.apart.end(),
       edges.begin());
-    result.edges.reserve(edges.size());
-    result.multiplicities.reserve(edges.size());
-    for (const Index e : edges)
-    {
-      const int multiplicity = faceMultiplicity(searched, isLit, e);
-      if (multiplicity != 0)
+    // On a large mesh each edge waits for memory several times.
+    std::vector<int> multiplicities(edges.size());
+    loop(edges.size(), 8 * heavyGrain,
+      [&](std::size_t begin, std::size_t end)
       {
-        result.edges.push_back(e);
-        result.multiplicities.push_back(multiplicity);
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          multiplicities[i] = faceMultiplicity(searched, isLit, edges[i]);
+        }
+      });
+    for (std::size_t i = 0; i < edges.size(); ++i)
+    {
+      if (multiplicities[i] != 0)
+      {
+        result.edges.push_back(edges[i]);
+        result.multiplicities.push_back(multiplicities[i]);
       }
     }
     return result;
