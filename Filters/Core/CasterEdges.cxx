@@ -56,7 +56,15 @@ EdgeKind edgeKind(const TriangleMesh& mesh, const EdgeTable& edges, Index edge)
   {
     return EdgeKind::Border;
   }
-  return distinctNormals(mesh, edges, edge).size() > 1 ? EdgeKind::Crease : EdgeKind::Plain;
+  const SideNormals first = sideNormals(mesh, edges, edge, edges.sides[edges.firstSide[edge]]);
+  for (Index i = edges.firstSide[edge] + 1; i < edges.firstSide[edge + 1]; ++i)
+  {
+    if (!(sideNormals(mesh, edges, edge, edges.sides[i]) == first))
+    {
+      return EdgeKind::Crease;
+    }
+  }
+  return EdgeKind::Plain;
 }
 
 EdgeDefects countEdgeDefects(const TriangleMesh& mesh, const EdgeTable& edges)

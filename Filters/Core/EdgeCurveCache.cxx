@@ -2,24 +2,43 @@
 
 namespace shadow
 {
+EdgeCurveCache::Entry& EdgeCurveCache::placeOf(Index edge)
+{
+  // The high half of a product with the golden ratio spreads neighbouring numbers.
+  const std::uint32_t hash = edge * 2654435769u;
+  return this->Entries[(std::uint64_t(hash) * this->Entries.size()) >> 32];
+}
+
 std::vector<EdgeCurve> EdgeCurveCache::get(const TriangleMesh& mesh, const EdgeTable& edges,
   const std::vector<Index>& wanted, const RangeLoop& loop)
 {
   std::vector<EdgeCurve> curves(wanted.size());
   std::vector<std::size_t> missing;
+  if (wanted.empty())
+  {
+    return curves;
+  }
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
-    this->Place.resize(edges.edges.size(), None);
+    if (this->Entries.empty())
+    {
+      std::size_t capacity = 64;
+      while (64 * capacity <= mesh.triangles.size())
+      {
+        capacity *= 2;
+      }
+      this->Entries.resize(capacity);
+    }
     for (std::size_t i = 0; i < wanted.size(); ++i)
     {
-      const Index place = this->Place[wanted[i]];
-      if (place == None)
+      const Entry& entry = this->placeOf(wanted[i]);
+      if (entry.edge == wanted[i])
       {
-        missing.push_back(i);
+        curves[i] = entry.curve;
       }
       else
       {
-        curves[i] = this->Curves[place];
+        missing.push_back(i);
       }
     }
   }
@@ -34,11 +53,7 @@ std::vector<EdgeCurve> EdgeCurveCache::get(const TriangleMesh& mesh, const EdgeT
   const std::lock_guard<std::mutex> lock(this->Guard);
   for (const std::size_t i : missing)
   {
-    if (this->Place[wanted[i]] == None)
-    {
-      this->Curves.push_back(curves[i]);
-      this->Place[wanted[i]] = static_cast<Index>(this->Curves.size() - 1);
-    }
+    this->placeOf(wanted[i]) = { wanted[i], curves[i] };
   }
   return curves;
 }
@@ -46,6 +61,6 @@ std::vector<EdgeCurve> EdgeCurveCache::get(const TriangleMesh& mesh, const EdgeT
 std::size_t EdgeCurveCache::memory() const
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
-  return this->Place.capacity() * sizeof(Index) + this->Curves.capacity() * sizeof(EdgeCurve);
+  return this->Entries.capacity() * sizeof(Entry);
 }
 }

@@ -352,7 +352,7 @@ std::vector<Index> FacingHierarchy::candidates(
   constexpr std::size_t blockSize = 64;
   const std::size_t blocks = (leaves.size() + blockSize - 1) / blockSize;
   std::vector<std::vector<Index>> parts(blocks);
-  loop(blocks, 4,
+  loop(blocks, 16,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin * blockSize; i < std::min(end * blockSize, leaves.size()); ++i)

@@ -95,7 +95,7 @@ LoopPolylines makePolylines(const Caster& caster, const SilhouetteChain& chain,
     lines.maximumDeviation = std::max(lines.maximumDeviation, d);
   }
 
-  loop(count, heavyGrain,
+  loop(count, curved ? heavyGrain : lightGrain,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -103,7 +103,6 @@ LoopPolylines makePolylines(const Caster& caster, const SilhouetteChain& chain,
         const Index pieceIndex = loops.pieces[i];
         const Piece& piece = chain.pieces[pieceIndex];
         const ContourPoint from = pointAt(caster, chain, piece, piece.from);
-        const ContourPoint to = pointAt(caster, chain, piece, piece.to);
         const auto store = [&](std::size_t at, const ContourPoint& p)
         {
           lines.points[at] = p.point;
@@ -112,7 +111,12 @@ LoopPolylines makePolylines(const Caster& caster, const SilhouetteChain& chain,
         };
         store(firstPoint[i], from);
         lines.nodes[firstPoint[i]] = piece.from;
-        for (std::size_t j = 0; curved && j < inner[i].size(); ++j)
+        if (!curved || inner[i].empty())
+        {
+          continue;
+        }
+        const ContourPoint to = pointAt(caster, chain, piece, piece.to);
+        for (std::size_t j = 0; j < inner[i].size(); ++j)
         {
           store(firstPoint[i] + 1 + j,
             pointBetween(chain.curves[pieceIndex], inner[i][j], from, to));

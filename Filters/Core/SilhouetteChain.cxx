@@ -23,12 +23,12 @@ public:
 
   void buildFromFaces(const SearchResult& found)
   {
-    const SearchedMesh searched = this->TheCaster.searched();
-    for (const Index e : found.edges)
+    this->Chain.pieces.reserve(found.edges.size());
+    for (std::size_t i = 0; i < found.edges.size(); ++i)
     {
-      const int m = faceMultiplicity(
-        searched, [&](Index t) { return this->Chain.field.lit(t); }, e);
-      this->addPiece(this->Edges.edges[e].a, this->Edges.edges[e].b, e, false, m);
+      const Index e = found.edges[i];
+      const Edge& ends = this->Edges.edges[e];
+      this->addPiece(ends.a, ends.b, e, false, found.multiplicities[i]);
     }
   }
 
@@ -94,6 +94,7 @@ private:
     }
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
+    this->Chain.indexCrossedEdges();
   }
 
   void listCrossings()
@@ -127,7 +128,7 @@ private:
     {
       curves = this->TheCaster.curves(this->Chain.crossedEdges, this->Loop);
     }
-    this->Loop(this->Chain.crossedEdges.size(), heavyGrain,
+    this->Loop(this->Chain.crossedEdges.size(), curves.empty() ? lightGrain : heavyGrain,
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t i = begin; i < end; ++i)
@@ -289,16 +290,34 @@ private:
 };
 }
 
+/// Where an edge's place is, or the free slot that ends its search.
+std::size_t SilhouetteChain::slotOf(Index edge) const
+{
+  // The high half of a product with the golden ratio spreads neighbouring numbers.
+  const std::uint32_t hash = edge * 2654435769u;
+  const std::size_t size = this->crossedPlaces.size();
+  std::size_t slot = (std::uint64_t(hash) * size) >> 32;
+  while (this->crossedPlaces[slot] != None && this->crossedEdges[this->crossedPlaces[slot]] != edge)
+  {
+    slot = slot + 1 < size ? slot + 1 : 0;
+  }
+  return slot;
+}
+
+void SilhouetteChain::indexCrossedEdges()
+{
+  this->crossedPlaces.assign(2 * this->crossedEdges.size() + 1, None);
+  for (std::size_t i = 0; i < this->crossedEdges.size(); ++i)
+  {
+    this->crossedPlaces[this->slotOf(this->crossedEdges[i])] = static_cast<Index>(i);
+  }
+}
+
 std::pair<Index, Index> SilhouetteChain::crossingsOn(Index edge) const
 {
-  const auto found =
-    std::lower_bound(this->crossedEdges.begin(), this->crossedEdges.end(), edge);
-  if (found == this->crossedEdges.end() || *found != edge)
-  {
-    return { 0, 0 };
-  }
-  const std::size_t i = static_cast<std::size_t>(found - this->crossedEdges.begin());
-  return { this->firstCrossing[i], this->firstCrossing[i + 1] };
+  const Index i = this->crossedPlaces.empty() ? None : this->crossedPlaces[this->slotOf(edge)];
+  return i == None ? std::pair<Index, Index>{ 0, 0 }
+                   : std::pair<Index, Index>{ this->firstCrossing[i], this->firstCrossing[i + 1] };
 }
 
 Index SilhouetteChain::crossingOf(Index edge, const SideNormals& normals) const

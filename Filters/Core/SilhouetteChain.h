@@ -46,6 +46,7 @@ struct SilhouetteChain
   std::size_t itemsTested = 0;      ///< triangles and edges that the search looked at
   std::vector<Index> crossedEdges;  ///< ascending
   std::vector<Index> firstCrossing; ///< of each crossed edge, and the end
+  std::vector<Index> crossedPlaces; ///< hash table of the places in crossedEdges
   std::vector<Crossing> crossings;  ///< of each crossed edge in order of parameter
   std::vector<Piece> pieces;
   std::vector<CubicCurve> curves;   ///< Smooth: the curve of each piece
@@ -55,6 +56,12 @@ struct SilhouetteChain
 
   /// The crossing on an edge that belongs to a side with these normals, or None.
   Index crossingOf(Index edge, const SideNormals& normals) const;
+
+  /// Fills crossedPlaces, as crossingsOn needs it.
+  void indexCrossedEdges();
+
+private:
+  std::size_t slotOf(Index edge) const;
 };
 
 class Caster;

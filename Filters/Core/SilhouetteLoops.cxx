@@ -30,27 +30,42 @@ public:
   }
 
 private:
-  Index slotOf(Index node) const
-  {
-    const auto found = std::lower_bound(this->Nodes.begin(), this->Nodes.end(), node);
-    return found != this->Nodes.end() && *found == node
-      ? static_cast<Index>(found - this->Nodes.begin())
-      : None;
-  }
-
+  /// Numbers the nodes at which pieces start in order of appearance, through a hash table.
   void compactNodes()
   {
+    unsigned bits = 4;
+    while ((std::size_t(1) << bits) < 2 * this->Pieces.size())
+    {
+      ++bits;
+    }
+    std::vector<Index> table(std::size_t(1) << bits, None);
+    const auto place = [&](Index node)
+    {
+      // The golden ratio in 32 bits spreads neighbouring numbers.
+      std::size_t slot = std::uint32_t(node * 2654435769u) >> (32 - std::min(bits, 32u));
+      while (table[slot] != None && this->Nodes[table[slot]] != node)
+      {
+        slot = (slot + 1) & (table.size() - 1);
+      }
+      return slot;
+    };
+    this->From.reserve(this->Pieces.size());
+    this->Remaining.reserve(this->Pieces.size());
     for (const Piece& p : this->Pieces)
     {
-      this->Nodes.push_back(p.from);
+      Index& number = table[place(p.from)];
+      if (number == None)
+      {
+        number = static_cast<Index>(this->Nodes.size());
+        this->Nodes.push_back(p.from);
+      }
+      this->From.push_back(number);
       this->Remaining.push_back(p.multiplicity);
     }
-    std::sort(this->Nodes.begin(), this->Nodes.end());
-    this->Nodes.erase(std::unique(this->Nodes.begin(), this->Nodes.end()), this->Nodes.end());
+    this->To.reserve(this->Pieces.size());
     for (const Piece& p : this->Pieces)
     {
-      this->From.push_back(this->slotOf(p.from));
-      this->To.push_back(this->slotOf(p.to));
+      this->To.push_back(table[place(p.to)]);
     }
   }
 
@@ -127,7 +142,7 @@ private:
   }
 
   const std::vector<Piece>& Pieces;
-  std::vector<Index> Nodes;     ///< distinct starts, ascending; the others refer to their places
+  std::vector<Index> Nodes;     ///< distinct starts; the others refer to their places
   std::vector<Index> From, To;  ///< of each piece
   std::vector<int> Remaining;   ///< multiplicity of each piece that no loop has taken yet
   std::vector<Index> FirstOut, Out, Cursor;

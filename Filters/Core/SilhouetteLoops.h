@@ -17,6 +17,6 @@ struct SilhouetteLoops
 };
 
 /// Decomposes the chain, which as a boundary has none itself, so that every walk along it comes
-/// back. O(n log n) in the number of pieces.
+/// back. O(n) on average in the number of pieces.
 SilhouetteLoops traceLoops(const std::vector<Piece>& pieces);
 }

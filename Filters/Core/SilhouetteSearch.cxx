@@ -45,6 +45,10 @@ SearchResult searchAll(
     result.tested = searched.edges.edges.size();
     result.edges = selectIndices(result.tested, loop,
       [&](Index e) { return faceMultiplicity(searched, isLit, e) != 0; });
+    for (const Index e : result.edges)
+    {
+      result.multiplicities.push_back(faceMultiplicity(searched, isLit, e));
+    }
     return result;
   }
   result.tested = searched.mesh.triangles.size() + searched.linkEdges.size();
@@ -74,13 +78,27 @@ SearchResult searchTree(const SearchedMesh& searched, const SearchTree& tree, co
   const std::vector<Index> candidates = tree.hierarchy.candidates(light, loop, result.tested);
   if (kind == FieldKind::Face)
   {
-    std::vector<Index>& edges = result.edges;
-    edges.resize(candidates.size() + tree.apart.size());
+    std::vector<Index> edges(candidates.size() + tree.apart.size());
     std::merge(candidates.begin(), candidates.end(), tree.apart.begin(), tree.apart.end(),
       edges.begin());
-    edges.erase(std::remove_if(edges.begin(), edges.end(),
-                  [&](Index e) { return faceMultiplicity(searched, isLit, e) == 0; }),
-      edges.end());
+    // On a large mesh each edge waits for memory several times.
+    std::vector<int> multiplicities(edges.size());
+    loop(edges.size(), 8 * heavyGrain,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          multiplicities[i] = faceMultiplicity(searched, isLit, edges[i]);
+        }
+      });
+    for (std::size_t i = 0; i < edges.size(); ++i)
+    {
+      if (multiplicities[i] != 0)
+      {
+        result.edges.push_back(edges[i]);
+        result.multiplicities.push_back(multiplicities[i]);
+      }
+    }
     return result;
   }
   // Creases are numbered behind the triangles.

@@ -19,6 +19,7 @@ struct SearchResult
 {
   std::vector<Index> triangles; ///< of a corner field, those with lit and dark corners; ascending
   std::vector<Index> edges; ///< of a face field the silhouette, of a corner field the links; ascending
+  std::vector<int> multiplicities; ///< of a face field, of each edge from a to b
   std::size_t tested = 0;   ///< triangles and edges that were looked at
 };
 

@@ -211,6 +211,7 @@ BridgedMesh readMesh(vtkPolyData* input, bool mergePoints)
   const std::vector<shadow::Vec3> points = gather(allPoints, used);
   const shadow::Welding vertices =
     mergePoints ? shadow::weldPoints(points) : identity(points.size());
+  mesh.points.reserve(vertices.first.size());
   for (const shadow::Index i : vertices.first)
   {
     mesh.points.push_back(points[i]);
@@ -229,12 +230,16 @@ BridgedMesh readMesh(vtkPolyData* input, bool mergePoints)
       normal = shadow::unitOrZero(normal);
     }
     normals = shadow::weldNormals(given, vertices.target);
+    mesh.normals.reserve(normals.first.size());
+    mesh.normalVertex.reserve(normals.first.size());
     for (const shadow::Index i : normals.first)
     {
       mesh.normals.push_back(given[i]);
       mesh.normalVertex.push_back(vertices.target[i]);
     }
   }
+  mesh.triangles.reserve(triangles.size());
+  mesh.cornerNormals.reserve(hasNormals ? triangles.size() : 0);
   for (const PointTriangle& t : triangles)
   {
     const shadow::Triangle corners = mapped(t, place, vertices.target);

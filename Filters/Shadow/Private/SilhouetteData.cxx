@@ -13,7 +13,9 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace
 {
@@ -32,10 +34,19 @@ vtkSmartPointer<vtkDoubleArray> vectorArray(
   array->SetName(name);
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(static_cast<vtkIdType>(vectors.size()));
-  for (std::size_t i = 0; i < vectors.size(); ++i)
+  static_assert(sizeof(shadow::Vec3) == 3 * sizeof(double), "copied as an array of doubles");
+  if (!vectors.empty())
   {
-    array->SetTuple(static_cast<vtkIdType>(i), &vectors[i].x);
+    std::copy_n(&vectors[0].x, 3 * vectors.size(), array->GetPointer(0));
   }
+  return array;
+}
+
+vtkSmartPointer<vtkIntArray> intArray(const char* name, vtkIdType count)
+{
+  auto array = vtkSmartPointer<vtkIntArray>::New();
+  array->SetName(name);
+  array->SetNumberOfValues(count);
   return array;
 }
 
@@ -79,32 +90,36 @@ int pieceKind(const shadow::Caster& caster, const shadow::Piece& piece)
 void writeLoops(const shadow::Caster& caster, const shadow::SilhouetteChain& chain,
   const shadow::SilhouetteLoops& loops, const shadow::LoopPolylines& lines, vtkPolyData* output)
 {
-  vtkNew<vtkCellArray> cells;
-  vtkNew<vtkIntArray> kinds;
-  kinds->SetName("Kind");
-  vtkNew<vtkIntArray> closed;
-  closed->SetName("Closed");
-  vtkNew<vtkIntArray> multiplicities;
-  multiplicities->SetName("Multiplicity");
+  const vtkIdType count = static_cast<vtkIdType>(loops.count());
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(count + 1);
+  vtkNew<vtkIdTypeArray> connectivity;
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(lines.points.size()) + count);
+  const auto kinds = intArray("Kind", count);
+  const auto closed = intArray("Closed", count);
+  const auto multiplicities = intArray("Multiplicity", count);
+  vtkIdType* next = connectivity->GetPointer(0);
   for (std::size_t loop = 0; loop < loops.count(); ++loop)
   {
     const vtkIdType begin = static_cast<vtkIdType>(lines.first[loop]);
     const vtkIdType end = static_cast<vtkIdType>(lines.first[loop + 1]);
-    cells->InsertNextCell(static_cast<int>(end - begin + 1));
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      cells->InsertCellPoint(i);
-    }
-    cells->InsertCellPoint(begin);
+    const vtkIdType cell = static_cast<vtkIdType>(loop);
+    offsets->SetValue(cell, begin + cell); // each loop before has one id more than points
+    std::iota(next, next + (end - begin), begin);
+    next += end - begin;
+    *next++ = begin;
     int kind = pieceKind(caster, chain.pieces[loops.pieces[loops.first[loop]]]);
-    for (std::size_t i = loops.first[loop]; i < loops.first[loop + 1]; ++i)
+    for (std::size_t i = loops.first[loop] + 1; i < loops.first[loop + 1]; ++i)
     {
       kind = kind == pieceKind(caster, chain.pieces[loops.pieces[i]]) ? kind : Mixed;
     }
-    kinds->InsertNextValue(kind);
-    closed->InsertNextValue(1);
-    multiplicities->InsertNextValue(loops.multiplicity[loop]);
+    kinds->SetValue(cell, kind);
+    closed->SetValue(cell, 1);
+    multiplicities->SetValue(cell, loops.multiplicity[loop]);
   }
+  offsets->SetValue(count, connectivity->GetNumberOfValues());
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, connectivity);
   output->SetLines(cells);
   output->GetCellData()->AddArray(kinds);
   output->GetCellData()->AddArray(closed);
@@ -155,10 +170,10 @@ void writeSilhouette(const PreparedCaster& prepared, const shadow::SilhouetteCha
   output->GetPointData()->AddArray(vectorArray("MeshPoints", lines.meshPoints));
   vtkNew<vtkIdTypeArray> nodes;
   nodes->SetName("MeshNodes");
-  for (const shadow::Index node : lines.nodes)
-  {
-    nodes->InsertNextValue(node == shadow::None ? -1 : static_cast<vtkIdType>(node));
-  }
+  nodes->SetNumberOfValues(static_cast<vtkIdType>(lines.nodes.size()));
+  std::transform(lines.nodes.begin(), lines.nodes.end(), nodes->GetPointer(0),
+    [](shadow::Index node)
+    { return node == shadow::None ? vtkIdType(-1) : static_cast<vtkIdType>(node); });
   output->GetPointData()->AddArray(nodes);
   writeLoops(prepared.caster, chain, loops, lines, output);
 
