@@ -1,5 +1,6 @@
 #include "Caster.h"
 
+#include "FacingOrder.h"
 #include "JetNormals.h"
 #include "VertexNormals.h"
 
@@ -10,7 +11,7 @@ namespace shadow
 namespace
 {
 /// Triangles from which on a search by hierarchy beats looking at all.
-constexpr std::size_t worthATree = 50000;
+constexpr std::size_t worthATree = 2000;
 
 template <class Value>
 std::size_t bytes(const std::vector<Value>& values)
@@ -21,11 +22,11 @@ std::size_t bytes(const std::vector<Value>& values)
 
 Caster::Caster(TriangleMesh mesh, double featureAngle, const RangeLoop& loop)
   : Mesh(std::move(mesh))
-  , Edges(buildEdgeTable(this->Mesh))
 {
   if (this->Mesh.normals.empty())
   {
-    estimateCornerNormals(this->Mesh, this->Edges, featureAngle);
+    const EdgeTable edges = buildEdgeTable(this->Mesh);
+    estimateCornerNormals(this->Mesh, edges, featureAngle);
     this->Normals.estimated = this->Mesh.normals.size();
     this->Normals.fallback = fitJetNormals(this->Mesh, loop);
   }
@@ -33,39 +34,29 @@ Caster::Caster(TriangleMesh mesh, double featureAngle, const RangeLoop& loop)
   {
     repairNormals(this->Mesh);
   }
+  orderTriangles(this->Mesh, loop);
+  this->Edges = buildEdgeTable(this->Mesh);
+  orderEdges(this->Mesh, this->Edges, loop);
   this->Weights = findChainWeights(this->Mesh, this->Edges);
   this->Defects = countEdgeDefects(this->Mesh, this->Edges);
   this->LinkEdges = findLinkEdges(this->Mesh, this->Edges, this->Weights);
-  if (!this->Mesh.points.empty())
-  {
-    Vec3 low = this->Mesh.points[0];
-    Vec3 high = low;
-    for (const Vec3& p : this->Mesh.points)
+  this->EdgeKinds = findEdgeKinds(this->Mesh, this->Edges);
+  this->TheBall = this->Mesh.ball();
+}
+
+EdgeCurve Caster::curve(Index edge)
+{
+  return makeEdgeCurve(this->Mesh, this->Edges, edge, this->edgeKind(edge),
+    [&](const EdgeCurve& curve)
     {
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-    }
-    this->Centre = 0.5 * (low + high);
-    this->Radius = 0.5 * glm::length(high - low);
-  }
+      return this->Corrections.get(this->Edges.regular, edge,
+        [&] { return makeCorrection(this->Mesh, this->Edges, edge, curve); });
+    });
 }
 
-std::vector<EdgeCurve> Caster::curves(const std::vector<Index>& wanted, const RangeLoop& loop)
+std::shared_ptr<const SearchIndex> Caster::searchIndex(FieldKind kind, const RangeLoop& loop)
 {
-  return this->EdgeCurves.get(this->Mesh, this->Edges, wanted, loop);
-}
-
-SearchMethod Caster::chooseMethod(FieldKind kind) const
-{
-  const std::lock_guard<std::mutex> lock(this->Guard);
-  const bool lightMoves = this->Searches[static_cast<std::size_t>(kind)] > 0;
-  return lightMoves && this->Mesh.triangles.size() >= worthATree ? SearchMethod::Hierarchy
-                                                                 : SearchMethod::BruteForce;
-}
-
-std::shared_ptr<const SearchTree> Caster::searchTree(FieldKind kind, const RangeLoop& loop)
-{
-  std::shared_ptr<const SearchTree>& kept = this->Trees[static_cast<std::size_t>(kind)];
+  std::shared_ptr<const SearchIndex>& kept = this->Indices[static_cast<std::size_t>(kind)];
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
     if (kept)
@@ -73,19 +64,18 @@ std::shared_ptr<const SearchTree> Caster::searchTree(FieldKind kind, const Range
       return kept;
     }
   }
-  auto tree = std::make_shared<const SearchTree>(
-    buildSearchTree(this->searched(), kind, this->Centre, this->Radius, loop));
+  auto index =
+    std::make_shared<const SearchIndex>(buildSearchIndex(this->searched(), kind, loop));
   const std::lock_guard<std::mutex> lock(this->Guard);
-  kept = tree;
-  return tree;
+  kept = index;
+  return index;
 }
 
 SearchResult Caster::search(
   const Light& light, FieldKind kind, SearchMethod method, const RangeLoop& loop)
 {
-  return method == SearchMethod::Hierarchy
-    ? shadow::searchTree(this->searched(), *this->searchTree(kind, loop), light, kind, loop)
-    : searchAll(this->searched(), light, kind, loop);
+  return shadow::search(
+    this->searched(), *this->searchIndex(kind, loop), light, method, loop);
 }
 
 Index Caster::normalAt(const Light& light, SearchMethod method)
@@ -117,7 +107,8 @@ Index Caster::normalAt(const Light& light, SearchMethod method)
 
 Light Caster::offTheSurface(const Light& light, SearchMethod method)
 {
-  if (light.isDirectional() || glm::length(light.toward(this->Centre)) > light.w * this->Radius)
+  const Ball& ball = this->TheBall;
+  if (light.isDirectional() || glm::length(light.toward(ball.centre)) > light.w * ball.radius)
   {
     return light;
   }
@@ -125,7 +116,7 @@ Light Caster::offTheSurface(const Light& light, SearchMethod method)
   Light above = light;
   if (normal != None)
   {
-    above.position += 1e-6 * this->Radius * light.w * this->Mesh.normals[normal];
+    above.position += 1e-6 * ball.radius * light.w * this->Mesh.normals[normal];
   }
   return above;
 }
@@ -141,15 +132,14 @@ std::shared_ptr<const SilhouetteChain> Caster::silhouette(
       return this->Last;
     }
   }
-  const FieldKind field = kind == SilhouetteKind::Discrete ? FieldKind::Face : FieldKind::Corner;
   if (method == SearchMethod::Automatic)
   {
-    method = this->chooseMethod(field);
+    method = this->Mesh.triangles.size() < worthATree ? SearchMethod::BruteForce
+                                                      : SearchMethod::Hierarchy;
   }
   auto chain = std::make_shared<const SilhouetteChain>(
     buildSilhouetteChain(*this, this->offTheSurface(light, method), kind, method, loop));
   const std::lock_guard<std::mutex> lock(this->Guard);
-  ++this->Searches[static_cast<std::size_t>(field)];
   this->LastLight = light;
   this->Last = chain;
   return chain;
@@ -160,13 +150,13 @@ std::size_t Caster::memory() const
   const std::lock_guard<std::mutex> lock(this->Guard);
   std::size_t total = bytes(this->Mesh.points) + bytes(this->Mesh.triangles) +
     bytes(this->Mesh.normals) + bytes(this->Mesh.normalVertex) + bytes(this->Mesh.cornerNormals) +
-    bytes(this->Edges.edges) + bytes(this->Edges.firstSide) + bytes(this->Edges.sides) +
-    bytes(this->Edges.triangleEdges) + bytes(this->Weights.parts) + bytes(this->Weights.part) +
-    bytes(this->Weights.face) + bytes(this->Weights.corner) + bytes(this->LinkEdges) +
-    this->EdgeCurves.memory();
-  for (const auto& tree : this->Trees)
+    bytes(this->Edges.edges) + bytes(this->Edges.firstOther) + bytes(this->Edges.sides) +
+    bytes(this->Edges.triangleEdges) + bytes(this->Weights.parts) + bytes(this->Weights.parting) +
+    bytes(this->Weights.agreeing) + bytes(this->LinkEdges) + bytes(this->EdgeKinds) +
+    this->Corrections.memory();
+  for (const auto& index : this->Indices)
   {
-    total += tree ? tree->memory() : 0;
+    total += index ? index->memory() : 0;
   }
   return total + (this->Places ? this->Places->memory() : 0);
 }

@@ -1,7 +1,8 @@
 /// A mesh that casts, with everything that does not depend on the light.
 #pragma once
 
-#include "EdgeCurveCache.h"
+#include "AcrossCorrections.h"
+#include "EdgeCurve.h"
 #include "PlaceIndex.h"
 #include "SilhouetteChain.h"
 
@@ -18,13 +19,14 @@ struct NormalCounts
   std::size_t fallback = 0;
 };
 
-/// Built once for a mesh and shared; safe to be used from several threads. A tree for the search is
-/// built when a method first needs it, one for face fields and one for corner fields.
+/// Built once for a mesh and shared; safe to be used from several threads. The index of a search is
+/// built when first needed, one for face fields and one for corner fields.
 class Caster
 {
 public:
   /// Takes a mesh with corner normals, or estimates them (normals empty), splitting edges whose
-  /// triangles turn by more than featureAngle (radians).
+  /// triangles turn by more than featureAngle (radians). Vertices, normals and triangles get numbers
+  /// of the caster's own.
   Caster(TriangleMesh mesh, double featureAngle, const RangeLoop& loop);
 
   const TriangleMesh& mesh() const { return this->Mesh; }
@@ -37,18 +39,21 @@ public:
   const std::vector<Index>& linkEdges() const { return this->LinkEdges; }
 
   /// Centre of the bounds and half their diagonal: a ball around the mesh.
-  const Vec3& centre() const { return this->Centre; }
-  double radius() const { return this->Radius; }
+  const Vec3& centre() const { return this->TheBall.centre; }
+  double radius() const { return this->TheBall.radius; }
 
-  /// The curves of these edges, in their order. They are kept.
-  std::vector<EdgeCurve> curves(const std::vector<Index>& wanted, const RangeLoop& loop);
+  bool hasPlainEdgesOnly() const { return this->EdgeKinds.empty(); }
+  EdgeKind edgeKind(Index edge) const
+  {
+    return this->EdgeKinds.empty() ? EdgeKind::Plain : this->EdgeKinds[edge];
+  }
+
+  /// The curve of an edge. What it takes its triangles for is kept.
+  EdgeCurve curve(Index edge);
 
   /// The silhouette of a light; the last one is kept, and given whenever it is of the method asked
   /// for, Automatic being content with any. A light on a vertex is taken to be just above the surface
   /// there, by 1e-6 of the radius, as the rule takes it that calls a field of zero lit.
-  ///
-  /// Automatic takes the hierarchy from the second light on, so that a mesh which is new each time
-  /// never pays for a tree.
   std::shared_ptr<const SilhouetteChain> silhouette(
     const Light& light, SilhouetteKind kind, SearchMethod method, const RangeLoop& loop);
 
@@ -65,9 +70,8 @@ public:
   std::size_t memory() const;
 
 private:
-  SearchMethod chooseMethod(FieldKind kind) const;
   Light offTheSurface(const Light& light, SearchMethod method);
-  std::shared_ptr<const SearchTree> searchTree(FieldKind kind, const RangeLoop& loop);
+  std::shared_ptr<const SearchIndex> searchIndex(FieldKind kind, const RangeLoop& loop);
   Index normalAt(const Light& light, SearchMethod method);
 
   TriangleMesh Mesh;
@@ -76,14 +80,13 @@ private:
   EdgeDefects Defects;
   NormalCounts Normals;
   std::vector<Index> LinkEdges;
-  Vec3 Centre{ 0.0 };
-  double Radius = 0.0;
+  std::vector<EdgeKind> EdgeKinds; ///< of each edge; empty if all are plain
+  Ball TheBall;
 
-  EdgeCurveCache EdgeCurves;
+  AcrossCorrections Corrections;
 
   mutable std::mutex Guard; ///< of what follows; never held while something is made
-  std::array<std::shared_ptr<const SearchTree>, 2> Trees; ///< by kind of field
-  std::array<std::size_t, 2> Searches{ 0, 0 };            ///< how many there were, by kind of field
+  std::array<std::shared_ptr<const SearchIndex>, 2> Indices; ///< by kind of field
   std::shared_ptr<const PlaceIndex> Places;
   Light LastLight;
   std::shared_ptr<const SilhouetteChain> Last;

@@ -9,11 +9,11 @@ namespace
 bool piecesCancel(const TriangleMesh& mesh, const EdgeTable& edges, const ChainWeights& weights,
   Index edge)
 {
-  const Side first = edges.sides[edges.firstSide[edge]];
+  const Side first = edges.sides[edges.firstSide(edge)];
   const SideNormals normals = sideNormals(mesh, edges, edge, first);
   int lit = 0;
   int dark = 0;
-  for (Index i = edges.firstSide[edge]; i < edges.firstSide[edge + 1]; ++i)
+  for (Index i = edges.firstSide(edge); i < edges.firstSide(edge + 1); ++i)
   {
     const Side side = edges.sides[i];
     if (!(sideNormals(mesh, edges, edge, side) == normals))
@@ -21,8 +21,8 @@ bool piecesCancel(const TriangleMesh& mesh, const EdgeTable& edges, const ChainW
       return false;
     }
     const int sign = sideSign(mesh, edges, edge, side);
-    lit += sign * weights.corner[side / 3].lit;
-    dark += sign * weights.corner[side / 3].dark;
+    lit += sign * weights.corner(side / 3).lit;
+    dark += sign * weights.corner(side / 3).dark;
   }
   return lit == 0 && dark == 0;
 }
@@ -39,7 +39,7 @@ std::vector<SideNormals> distinctNormals(
   const TriangleMesh& mesh, const EdgeTable& edges, Index edge)
 {
   std::vector<SideNormals> distinct;
-  for (Index i = edges.firstSide[edge]; i < edges.firstSide[edge + 1]; ++i)
+  for (Index i = edges.firstSide(edge); i < edges.firstSide(edge + 1); ++i)
   {
     const SideNormals normals = sideNormals(mesh, edges, edge, edges.sides[i]);
     if (std::find(distinct.begin(), distinct.end(), normals) == distinct.end())
@@ -56,8 +56,8 @@ EdgeKind edgeKind(const TriangleMesh& mesh, const EdgeTable& edges, Index edge)
   {
     return EdgeKind::Border;
   }
-  const SideNormals first = sideNormals(mesh, edges, edge, edges.sides[edges.firstSide[edge]]);
-  for (Index i = edges.firstSide[edge] + 1; i < edges.firstSide[edge + 1]; ++i)
+  const SideNormals first = sideNormals(mesh, edges, edge, edges.sides[edges.firstSide(edge)]);
+  for (Index i = edges.firstSide(edge) + 1; i < edges.firstSide(edge + 1); ++i)
   {
     if (!(sideNormals(mesh, edges, edge, edges.sides[i]) == first))
     {
@@ -65,6 +65,18 @@ EdgeKind edgeKind(const TriangleMesh& mesh, const EdgeTable& edges, Index edge)
     }
   }
   return EdgeKind::Plain;
+}
+
+std::vector<EdgeKind> findEdgeKinds(const TriangleMesh& mesh, const EdgeTable& edges)
+{
+  std::vector<EdgeKind> kinds(edges.edges.size());
+  bool plain = true;
+  for (std::size_t e = 0; e < kinds.size(); ++e)
+  {
+    kinds[e] = edgeKind(mesh, edges, static_cast<Index>(e));
+    plain = plain && kinds[e] == EdgeKind::Plain;
+  }
+  return plain ? std::vector<EdgeKind>() : kinds;
 }
 
 EdgeDefects countEdgeDefects(const TriangleMesh& mesh, const EdgeTable& edges)

@@ -30,6 +30,9 @@ enum class EdgeKind : std::uint8_t
 
 EdgeKind edgeKind(const TriangleMesh& mesh, const EdgeTable& edges, Index edge);
 
+/// The kind of each edge; empty if all are plain.
+std::vector<EdgeKind> findEdgeKinds(const TriangleMesh& mesh, const EdgeTable& edges);
+
 /// Counts for the user of what the edges tell about the mesh.
 struct EdgeDefects
 {

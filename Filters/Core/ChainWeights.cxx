@@ -2,15 +2,12 @@
 
 #include "DisjointSets.h"
 
+#include <algorithm>
+
 namespace shadow
 {
 namespace
 {
-ChainWeight scaled(ChainWeight weight, int sign)
-{
-  return { static_cast<std::int8_t>(sign * weight.lit), static_cast<std::int8_t>(sign * weight.dark) };
-}
-
 /// Sum over a triangle's corners of normal times area normal: positive if they are on one side.
 double agreement(const TriangleMesh& mesh, Index triangle)
 {
@@ -23,11 +20,13 @@ double agreement(const TriangleMesh& mesh, Index triangle)
 std::vector<Index> connectedParts(const TriangleMesh& mesh, const EdgeTable& edges, Index& count)
 {
   DisjointSets sets(mesh.triangles.size());
-  for (std::size_t e = 0; e < edges.edges.size(); ++e)
+  for (std::size_t i = 0; i < edges.edges.size(); ++i)
   {
-    for (Index i = edges.firstSide[e] + 1; i < edges.firstSide[e + 1]; ++i)
+    const Index e = static_cast<Index>(i);
+    const Index first = edges.firstSide(e);
+    for (Index side = first + 1; side < edges.firstSide(e + 1); ++side)
     {
-      sets.unite(edges.sides[edges.firstSide[e]] / 3, edges.sides[i] / 3);
+      sets.unite(edges.sides[first] / 3, edges.sides[side] / 3);
     }
   }
   return sets.number(count);
@@ -51,13 +50,14 @@ ChainWeights findChainWeights(const TriangleMesh& mesh, const EdgeTable& edges)
 {
   ChainWeights result;
   Index partCount = 0;
-  result.part = connectedParts(mesh, edges, partCount);
+  std::vector<Index> part = connectedParts(mesh, edges, partCount);
   result.parts.resize(partCount);
-  for (std::size_t e = 0; e < edges.edges.size(); ++e)
+  for (std::size_t e = edges.regular; e < edges.edges.size(); ++e)
   {
-    if (signSum(mesh, edges, static_cast<Index>(e)) != 0)
+    const Index edge = static_cast<Index>(e);
+    if (signSum(mesh, edges, edge) != 0)
     {
-      result.parts[result.part[edges.sides[edges.firstSide[e]] / 3]].closed = false;
+      result.parts[part[edges.sides[edges.firstSide(edge)] / 3]].closed = false;
     }
   }
 
@@ -65,29 +65,33 @@ ChainWeights findChainWeights(const TriangleMesh& mesh, const EdgeTable& edges)
   const Vec3 origin = mesh.points.empty() ? Vec3(0.0) : mesh.points[0];
   std::vector<double> volume(partCount, 0.0);
   std::vector<double> agreements(partCount, 0.0);
+  std::vector<std::uint8_t> agreeing(mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
     const Index t = static_cast<Index>(i);
-    volume[result.part[t]] +=
-      glm::dot(mesh.areaNormal(t), mesh.points[mesh.triangles[t][0]] - origin);
-    agreements[result.part[t]] += agreement(mesh, t);
+    const double agrees = agreement(mesh, t);
+    volume[part[t]] += glm::dot(mesh.areaNormal(t), mesh.points[mesh.triangles[t][0]] - origin);
+    agreements[part[t]] += agrees;
+    agreeing[t] = !(agrees < 0.0);
   }
   for (Index p = 0; p < partCount; ++p)
   {
     result.parts[p].outward = !(volume[p] < 0.0);
     result.parts[p].normalsAgree = !(agreements[p] < 0.0);
   }
-
-  result.face.resize(mesh.triangles.size());
-  result.corner.resize(mesh.triangles.size());
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  // Without a common orientation each triangle is measured by its own normals.
+  for (std::size_t t = 0; t < agreeing.size(); ++t)
   {
-    const Index t = static_cast<Index>(i);
-    const MeshPart& part = result.parts[result.part[t]];
-    result.face[t] = part.closed ? ChainWeight{ 1, 0 } : ChainWeight{ 1, -1 };
-    // Without a common orientation each triangle is measured by its own normals.
-    const bool agree = part.closed ? part.normalsAgree : !(agreement(mesh, t) < 0.0);
-    result.corner[t] = scaled(result.face[t], agree ? 1 : -1);
+    const MeshPart& own = result.parts[part[t]];
+    agreeing[t] = own.closed ? own.normalsAgree : agreeing[t];
+  }
+  if (std::find(agreeing.begin(), agreeing.end(), 0) != agreeing.end())
+  {
+    result.agreeing = std::move(agreeing);
+  }
+  if (partCount > 1)
+  {
+    result.parting = std::move(part);
   }
   return result;
 }

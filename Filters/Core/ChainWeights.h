@@ -21,6 +21,11 @@ struct ChainWeight
   std::int8_t dark = 0;
 
   int of(bool isLit) const { return isLit ? this->lit : this->dark; }
+
+  ChainWeight operator-() const
+  {
+    return { static_cast<std::int8_t>(-this->lit), static_cast<std::int8_t>(-this->dark) };
+  }
 };
 
 /// A part of the mesh that is connected through edges.
@@ -39,13 +44,28 @@ struct MeshPart
 struct ChainWeights
 {
   std::vector<MeshPart> parts;
-  std::vector<Index> part;         ///< part of each triangle
-  std::vector<ChainWeight> face;   ///< of each triangle, for a face field
-  std::vector<ChainWeight> corner; ///< of each triangle, for a corner field
+  std::vector<Index> parting;         ///< part of each triangle; empty if there is one part at most
+  std::vector<std::uint8_t> agreeing; ///< whether each triangle's corner normals are on the side that
+                                      ///< its winding says; empty if all are
 
-  const ChainWeight& silhouette(FieldKind kind, Index triangle) const
+  Index part(Index triangle) const { return this->parting.empty() ? 0 : this->parting[triangle]; }
+
+  /// For a face field.
+  ChainWeight face(Index triangle) const
   {
-    return (kind == FieldKind::Face ? this->face : this->corner)[triangle];
+    return this->parts[this->part(triangle)].closed ? ChainWeight{ 1, 0 } : ChainWeight{ 1, -1 };
+  }
+
+  /// For a corner field.
+  ChainWeight corner(Index triangle) const
+  {
+    const ChainWeight weight = this->face(triangle);
+    return this->agreeing.empty() || this->agreeing[triangle] != 0 ? weight : -weight;
+  }
+
+  ChainWeight silhouette(FieldKind kind, Index triangle) const
+  {
+    return kind == FieldKind::Face ? this->face(triangle) : this->corner(triangle);
   }
 
   /// For each part whether its cap is what the field calls dark, reversed. Lit and dark part of a
@@ -56,7 +76,7 @@ struct ChainWeights
   /// Weights of a triangle's cap, given its part's entry of capsOnDarkField.
   ChainWeight cap(FieldKind kind, Index triangle, bool onDarkField) const
   {
-    const ChainWeight& weight = this->silhouette(kind, triangle);
+    const ChainWeight weight = this->silhouette(kind, triangle);
     return onDarkField ? ChainWeight{ 0, static_cast<std::int8_t>(-weight.lit) } : weight;
   }
 };

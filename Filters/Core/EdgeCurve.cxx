@@ -75,31 +75,7 @@ FramedVertex oppositeVertex(const TriangleMesh& mesh, const EdgeCurve& curve, Si
     mesh.normals[mesh.cornerNormals[side / 3][corner]]);
 }
 
-double correctionAcross(
-  const TriangleMesh& mesh, const EdgeTable& edges, Index edge, const EdgeCurve& curve)
-{
-  if (edgeKind(mesh, edges, edge) != EdgeKind::Plain || edges.sideCount(edge) != 2)
-  {
-    return 0.0;
-  }
-  const FramedVertex o0 = oppositeVertex(mesh, curve, edges.sides[edges.firstSide[edge]]);
-  const FramedVertex o1 = oppositeVertex(mesh, curve, edges.sides[edges.firstSide[edge] + 1]);
-  if (!(o0.y * o1.y < 0.0) || !o0.usable || !o1.usable)
-  {
-    return 0.0;
-  }
-  double num = 0.0;
-  double den = 1e-3; // a ridge, without dimension: keeps slivers harmless
-  addEquations(curve, o0, o1, num, den);
-  addEquations(curve, o1, o0, num, den);
-  const double limit = std::fabs(curve.acrossA - curve.acrossB) +
-    std::fabs(curve.slopeA - curve.slopeB);
-  const double correction = num / den;
-  return std::isfinite(correction) ? 2.0 * std::clamp(correction, -limit, limit) : 0.0;
-}
-
-void shapeSurface(const TriangleMesh& mesh, const EdgeTable& edges, Index edge,
-  const SideNormals& sides, EdgeCurve& c)
+void shapeSurface(const TriangleMesh& mesh, const SideNormals& sides, EdgeCurve& c)
 {
   const Vec3 na = mesh.normals[sides.a];
   const Vec3 nb = mesh.normals[sides.b];
@@ -119,10 +95,13 @@ void shapeSurface(const TriangleMesh& mesh, const EdgeTable& edges, Index edge,
   c.slopeB = -glm::dot(nb, c.x) / zb;
   c.acrossA = -glm::dot(na, c.y) / za;
   c.acrossB = -glm::dot(nb, c.y) / zb;
-  // What a circle's arc has more than the cubic with the same ends and slopes.
-  const double half = 0.5 * (std::atan(c.slopeA) - std::atan(c.slopeB));
-  c.heightCorrection = 16.0 * c.length * (0.5 * std::tan(0.5 * half) - 0.25 * std::tan(half));
-  c.acrossCorrection = correctionAcross(mesh, edges, edge, c);
+  // What a circle's arc has more than the cubic with the same ends and slopes: it turns by the angle
+  // of (cosine, sine), of which the tangents of the half and of the quarter are needed.
+  const double cosine = 1.0 + c.slopeA * c.slopeB;
+  const double sine = c.slopeA - c.slopeB;
+  const double half = sine / (std::sqrt(cosine * cosine + sine * sine) + cosine);
+  const double quarter = half / (1.0 + std::sqrt(1.0 + half * half));
+  c.heightCorrection = c.length * (8.0 * quarter - 4.0 * half);
 }
 
 /// The tangent of a crease at one end: along both sides' surfaces, at the length that makes the
@@ -173,6 +152,92 @@ double slopeAlong(const EdgeCurve& c, double s)
   const double r = 1.0 - s;
   return c.slopeA * r * (1.0 - 3.0 * s) + c.slopeB * s * (3.0 * s - 2.0) +
     2.0 * c.heightCorrection * s * r * (1.0 - 2.0 * s) / c.length;
+}
+/// The heights' coefficients of s, s^2, s^3 and s^4.
+Vec4 heightPolynomial(const EdgeCurve& c)
+{
+  const double la = c.length * c.slopeA;
+  const double lb = c.length * c.slopeB;
+  return { la, c.heightCorrection - 2.0 * la - lb, la + lb - 2.0 * c.heightCorrection,
+    c.heightCorrection };
+}
+
+/// In the curve's frame, with the light at R from the end a, the field is
+/// Rz - w z(s) - z'(s)/L (Rx - w L s) - across(s) Ry: a quartic. Newton's steps that leave the
+/// bracket are replaced by halving it.
+double solveOnSurface(const EdgeCurve& c, const Vec3& normalA, const Vec3& normalB, double fieldA,
+  double fieldB, const Light& light)
+{
+  const Vec3 toward = light.toward(c.a);
+  const double rx = glm::dot(c.x, toward) / c.length;
+  const double ry = glm::dot(c.y, toward);
+  const double rz = glm::dot(c.z, toward);
+  const Vec4 z = heightPolynomial(c);
+  const double f0 = rz - z[0] * rx - c.acrossA * ry;
+  const double f1 = -2.0 * z[1] * rx - (c.acrossB - c.acrossA + c.acrossCorrection) * ry;
+  const double f2 = -3.0 * z[2] * rx + c.acrossCorrection * ry + light.w * z[1];
+  const double f3 = -4.0 * z[3] * rx + 2.0 * light.w * z[2];
+  const double f4 = 3.0 * light.w * z[3];
+  // The normals along the curve have length 1 along z: the ends' fields likewise.
+  double s = linearCrossing(fieldA / glm::dot(normalA, c.z), fieldB / glm::dot(normalB, c.z));
+  double low = 0.0;
+  double high = 1.0;
+  for (int step = 0; step < 60; ++step)
+  {
+    const double f = f0 + s * (f1 + s * (f2 + s * (f3 + s * f4)));
+    const double slope = f1 + s * (2.0 * f2 + s * (3.0 * f3 + s * 4.0 * f4));
+    (isLit(f) == isLit(fieldA) ? low : high) = s;
+    const double newton = s - f / slope;
+    const double nextS = newton >= low && newton <= high ? newton : 0.5 * (low + high);
+    const double moved = std::fabs(nextS - s);
+    s = nextS;
+    if (moved < 1e-14)
+    {
+      break;
+    }
+  }
+  return s;
+}
+
+/// Regula falsi with the Illinois rule (Dowell & Jarratt 1971): where one end stays twice its value
+/// is halved, so that it moves as well.
+double solveOnCrease(const EdgeCurve& curve, const Vec3& normalA, const Vec3& normalB,
+  double fieldA, double fieldB, const Light& light)
+{
+  double s0 = 0.0;
+  double s1 = 1.0;
+  double f0 = fieldA;
+  double f1 = fieldB;
+  double s = linearCrossing(f0, f1);
+  int stayed = 0;
+  for (int step = 0; step < 12; ++step)
+  {
+    const EdgeCurve::Sample q = curve.sample(s, normalA, normalB);
+    const double f = glm::dot(q.normal, light.toward(q.point));
+    const bool replacesFirst = isLit(f) == isLit(fieldA);
+    if (replacesFirst)
+    {
+      s0 = s;
+      f0 = f;
+      f1 = stayed == 1 ? 0.5 * f1 : f1;
+      stayed = 1;
+    }
+    else
+    {
+      s1 = s;
+      f1 = f;
+      f0 = stayed == -1 ? 0.5 * f0 : f0;
+      stayed = -1;
+    }
+    const double nextS = s0 + (s1 - s0) * linearCrossing(f0, f1);
+    const double moved = std::fabs(nextS - s);
+    s = nextS;
+    if (f == 0.0 || moved < 1e-14)
+    {
+      break;
+    }
+  }
+  return s;
 }
 }
 
@@ -226,21 +291,53 @@ CubicCurve EdgeCurve::arc(double from, double to) const
     span * this->derivative(to));
 }
 
-EdgeCurve makeEdgeCurve(const TriangleMesh& mesh, const EdgeTable& edges, Index edge)
+EdgeCurve makeUncorrectedCurve(
+  const TriangleMesh& mesh, const EdgeTable& edges, Index edge, EdgeKind kind)
 {
   EdgeCurve curve;
   curve.a = mesh.points[edges.edges[edge].a];
   curve.b = mesh.points[edges.edges[edge].b];
+  if (kind == EdgeKind::Plain)
+  {
+    shapeSurface(
+      mesh, sideNormals(mesh, edges, edge, edges.sides[edges.firstSide(edge)]), curve);
+    return curve;
+  }
   const std::vector<SideNormals> normals = distinctNormals(mesh, edges, edge);
   if (normals.size() == 1)
   {
-    shapeSurface(mesh, edges, edge, normals[0], curve);
+    shapeSurface(mesh, normals[0], curve);
   }
   else
   {
     shapeCrease(mesh, normals, curve);
   }
   return curve;
+}
+
+float makeCorrection(
+  const TriangleMesh& mesh, const EdgeTable& edges, Index edge, const EdgeCurve& curve)
+{
+  const FramedVertex o0 = oppositeVertex(mesh, curve, edges.sides[edges.firstSide(edge)]);
+  const FramedVertex o1 = oppositeVertex(mesh, curve, edges.sides[edges.firstSide(edge) + 1]);
+  if (!(o0.y * o1.y < 0.0) || !o0.usable || !o1.usable)
+  {
+    return 0.0f;
+  }
+  double num = 0.0;
+  double den = 1e-3; // a ridge, without dimension: keeps slivers harmless
+  addEquations(curve, o0, o1, num, den);
+  addEquations(curve, o1, o0, num, den);
+  const double limit = std::fabs(curve.acrossA - curve.acrossB) +
+    std::fabs(curve.slopeA - curve.slopeB);
+  const float correction = static_cast<float>(2.0 * std::clamp(num / den, -limit, limit));
+  return std::isfinite(correction) ? correction : 0.0f;
+}
+
+EdgeCurve makeEdgeCurve(const TriangleMesh& mesh, const EdgeTable& edges, Index edge)
+{
+  return makeEdgeCurve(mesh, edges, edge, edgeKind(mesh, edges, edge),
+    [&](const EdgeCurve& curve) { return makeCorrection(mesh, edges, edge, curve); });
 }
 
 double linearCrossing(double fieldA, double fieldB)
@@ -252,46 +349,14 @@ double linearCrossing(double fieldA, double fieldB)
 double solveCrossing(const EdgeCurve& curve, const Vec3& normalA, const Vec3& normalB,
   double fieldA, double fieldB, const Light& light)
 {
-  if (curve.shape == EdgeCurve::Shape::Straight)
+  switch (curve.shape)
   {
-    return linearCrossing(fieldA, fieldB);
+    case EdgeCurve::Shape::Surface:
+      return solveOnSurface(curve, normalA, normalB, fieldA, fieldB, light);
+    case EdgeCurve::Shape::Crease:
+      return solveOnCrease(curve, normalA, normalB, fieldA, fieldB, light);
+    default:
+      return linearCrossing(fieldA, fieldB);
   }
-  // On a Surface the normals along the curve have length 1 along z: the ends' fields likewise.
-  const bool surface = curve.shape == EdgeCurve::Shape::Surface;
-  double s0 = 0.0;
-  double s1 = 1.0;
-  double f0 = surface ? fieldA / glm::dot(normalA, curve.z) : fieldA;
-  double f1 = surface ? fieldB / glm::dot(normalB, curve.z) : fieldB;
-  double s = linearCrossing(f0, f1);
-  // Regula falsi; where one end stays twice its value is halved, so that it moves as well.
-  int stayed = 0;
-  for (int step = 0; step < 12; ++step)
-  {
-    const EdgeCurve::Sample q = curve.sample(s, normalA, normalB);
-    const double f = glm::dot(q.normal, light.toward(q.point));
-    const bool replacesFirst = isLit(f) == isLit(fieldA);
-    if (replacesFirst)
-    {
-      s0 = s;
-      f0 = f;
-      f1 = stayed == 1 ? 0.5 * f1 : f1;
-      stayed = 1;
-    }
-    else
-    {
-      s1 = s;
-      f1 = f;
-      f0 = stayed == -1 ? 0.5 * f0 : f0;
-      stayed = -1;
-    }
-    const double nextS = s0 + (s1 - s0) * linearCrossing(f0, f1);
-    const double moved = std::fabs(nextS - s);
-    s = nextS;
-    if (f == 0.0 || moved < 1e-14)
-    {
-      break;
-    }
-  }
-  return s;
 }
 }

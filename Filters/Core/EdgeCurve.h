@@ -54,13 +54,34 @@ struct EdgeCurve
   CubicCurve arc(double from, double to) const;
 };
 
+/// An edge's curve without acrossCorrection.
+EdgeCurve makeUncorrectedCurve(
+  const TriangleMesh& mesh, const EdgeTable& edges, Index edge, EdgeKind kind);
+
+/// What the triangles at a plain regular edge tell of its curve's acrossCorrection. In single
+/// precision: it is kept for many edges, and an error of 1e-7 of it is far below the curve's own.
+float makeCorrection(
+  const TriangleMesh& mesh, const EdgeTable& edges, Index edge, const EdgeCurve& curve);
+
 /// Derives an edge's curve from its ends, the normals of its sides and, on an edge without crease,
-/// from the two triangles at it.
+/// from the two triangles at it, which acrossCorrection(curve) tells: makeCorrection, or what it
+/// gave before.
+template <class AcrossCorrection>
+EdgeCurve makeEdgeCurve(const TriangleMesh& mesh, const EdgeTable& edges, Index edge, EdgeKind kind,
+  const AcrossCorrection& acrossCorrection)
+{
+  EdgeCurve curve = makeUncorrectedCurve(mesh, edges, edge, kind);
+  if (curve.shape == EdgeCurve::Shape::Surface && kind == EdgeKind::Plain && edges.isRegular(edge))
+  {
+    curve.acrossCorrection = acrossCorrection(curve);
+  }
+  return curve;
+}
+
 EdgeCurve makeEdgeCurve(const TriangleMesh& mesh, const EdgeTable& edges, Index edge);
 
 /// Where the field on the curve, for one side's normals, is zero: a parameter in [0, 1]. fieldA
-/// and fieldB are the field at the ends; one of them is lit and the other one is not. Regula falsi
-/// with the Illinois rule (Dowell & Jarratt 1971).
+/// and fieldB are the field at the ends; one of them is lit and the other one is not.
 double solveCrossing(const EdgeCurve& curve, const Vec3& normalA, const Vec3& normalB,
   double fieldA, double fieldB, const Light& light);
 

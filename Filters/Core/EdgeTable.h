@@ -15,15 +15,27 @@ struct Edge
 /// A side of a triangle, numbered 3 * triangle + corner at which it starts.
 using Side = Index;
 
-/// Sorted unique edges with their incident sides, any number of them.
+/// Unique edges with their incident sides, any number of them.
+///
+/// Regular edges are those with two sides that run against each other; the first one then runs from
+/// a to b. They come first.
 struct EdgeTable
 {
-  std::vector<Edge> edges;     ///< ascending by (a, b)
-  std::vector<Index> firstSide; ///< edges + 1 entries: where an edge's sides begin
-  std::vector<Side> sides;     ///< sides of each edge, ascending
+  std::vector<Edge> edges;
+  std::vector<Side> sides;             ///< edge after edge
   std::vector<Triangle> triangleEdges; ///< edge of each side
+  std::size_t regular = 0;             ///< how many edges are regular
+  std::vector<Index> firstOther;       ///< where each other edge's sides begin, and the end
 
-  Index sideCount(Index edge) const { return this->firstSide[edge + 1] - this->firstSide[edge]; }
+  bool isRegular(Index edge) const { return edge < this->regular; }
+
+  /// Where an edge's sides begin; those of the edge before end there.
+  Index firstSide(Index edge) const
+  {
+    return edge <= this->regular ? 2 * edge : this->firstOther[edge - this->regular];
+  }
+
+  Index sideCount(Index edge) const { return this->firstSide(edge + 1) - this->firstSide(edge); }
 };
 
 /// +1 if the side runs along its edge from a to b, -1 if from b to a.
@@ -36,13 +48,17 @@ inline int sideSign(const TriangleMesh& mesh, const EdgeTable& table, Index edge
 inline int signSum(const TriangleMesh& mesh, const EdgeTable& table, Index edge)
 {
   int sum = 0;
-  for (Index i = table.firstSide[edge]; i < table.firstSide[edge + 1]; ++i)
+  for (Index i = table.firstSide(edge); i < table.firstSide(edge + 1); ++i)
   {
     sum += sideSign(mesh, table, edge, table.sides[i]);
   }
   return sum;
 }
 
-/// Sorts by counting: O(triangles + vertices), and a sort among the edges at one vertex.
+/// Regular and other edges each ascending by (a, b), the sides of the others ascending. Sorts by
+/// counting: O(triangles + vertices), and a sort among the edges at one vertex.
 EdgeTable buildEdgeTable(const TriangleMesh& mesh);
+
+/// Puts the regular edges into another order: order[i] is the present number of the new edge i.
+void reorderRegularEdges(EdgeTable& table, const std::vector<Index>& order);
 }

@@ -1,382 +1,251 @@
 #include "FacingHierarchy.h"
 
-#include <algorithm>
+#include <cstring>
+#include <numeric>
 
 namespace shadow
 {
 namespace
 {
-constexpr std::size_t mostItems = 64;   ///< in a leaf: 64 items of 4 fields are numbered by a byte
-constexpr std::size_t mostPlanes = 256;
+/// 1 as an integer: products of two planes, whose sum is at most 2, stay within 31 bits.
+constexpr double one = 32000.0;
 
-/// Signs that a field can have, as bits: an item whose fields together have both is a candidate.
-constexpr unsigned mayBeLit = 1;
-constexpr unsigned mayBeDark = 2;
-constexpr unsigned bothSigns = mayBeLit | mayBeDark;
+/// Boxes under a node.
+constexpr std::size_t fan = 8;
+
+/// A bit beside those of the fields: one of them has no sign that is certain.
+constexpr unsigned uncertain = 16;
 
 /// Sizes whose products with areas stay far from the ends of the range of doubles.
-bool isInRange(double size, double exponent)
+bool isInRange(double size)
 {
-  return size > std::pow(10.0, -exponent) && size < std::pow(10.0, exponent);
+  return size > 1e-100 && size < 1e100;
 }
 }
 
-glm::vec4 facingPlane(const Vec3& normal, const Vec3& point, const Vec3& centre, double radius)
+FacingHierarchy::FacingHierarchy(unsigned arity, std::size_t count, const Ball& ball)
+  : TheBall(ball)
+  , Arity(arity)
+  , Count(count)
+  , Blocks((count + blockSize - 1) / blockSize)
+  , Planes(Blocks * arity * 4 * blockSize)
 {
-  const double length = glm::length(normal);
-  if (!(length > 1e-150 && length < 1e150))
+  for (std::size_t size = this->Blocks; size > 0; size = size > fan ? (size + fan - 1) / fan : 0)
   {
-    return glm::vec4(0.0f);
+    this->Levels.emplace_back(size);
   }
-  const Vec3 n = normal / length;
-  const double offset = -glm::dot(n, (point - centre) / radius);
-  // In the ball it is at most 1; what is not has a ball that rounding made meaningless.
-  if (!(std::fabs(offset) < 1.001) || !isFinite(n))
-  {
-    return glm::vec4(0.0f);
-  }
-  return { static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z),
-    static_cast<float>(offset) };
 }
 
-class FacingHierarchy::Builder
+glm::vec4 FacingHierarchy::quantized(const Vec4& plane)
 {
-public:
-  Builder(FacingHierarchy& tree, const FacingItems& items, const RangeLoop& loop)
-    : Tree(tree)
-    , Items(items)
-    , Loop(loop)
-    , Leaves(std::size_t(1) << tree.Depth)
-  {
-  }
-
-  void build()
-  {
-    this->placeEntries();
-    for (unsigned level = 0; level < this->Tree.Depth; ++level)
-    {
-      this->splitLevel(level);
-    }
-    this->listPlanes();
-    this->copyPlanes();
-    this->joinBoxes();
-  }
-
-private:
-  /// An item by the middle of its planes' box.
-  struct Entry
-  {
-    glm::vec4 middle;
-    Index item;
-  };
-
-  const Index* fieldsOf(std::size_t item) const
-  {
-    return this->Items.fields.data() + item * this->Items.arity;
-  }
-
-  void placeEntries()
-  {
-    this->Entries.resize(this->Items.ids.size());
-    this->Loop(this->Entries.size(), lightGrain,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          const Index* fields = this->fieldsOf(i);
-          glm::vec4 low = this->Items.planes[fields[0]];
-          glm::vec4 high = low;
-          for (unsigned k = 1; k < this->Items.arity; ++k)
-          {
-            low = glm::min(low, this->Items.planes[fields[k]]);
-            high = glm::max(high, this->Items.planes[fields[k]]);
-          }
-          this->Entries[i] = { 0.5f * (low + high), static_cast<Index>(i) };
-        }
-      });
-  }
-
-  void splitLevel(unsigned level)
-  {
-    const std::size_t width = this->Leaves >> level;
-    this->Loop(std::size_t(1) << level, 1,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t node = begin; node < end; ++node)
-        {
-          this->split(this->Tree.firstItem(node * width),
-            this->Tree.firstItem(node * width + width / 2), this->Tree.firstItem((node + 1) * width));
-        }
-      });
-  }
-
-  void split(std::size_t begin, std::size_t middle, std::size_t end)
-  {
-    glm::vec4 low = this->Entries[begin].middle;
-    glm::vec4 high = low;
-    for (std::size_t i = begin + 1; i < end; ++i)
-    {
-      low = glm::min(low, this->Entries[i].middle);
-      high = glm::max(high, this->Entries[i].middle);
-    }
-    const glm::vec4 extent = high - low;
-    int axis = 0;
-    for (int k = 1; k < 4; ++k)
-    {
-      axis = extent[k] > extent[axis] ? k : axis;
-    }
-    const auto at = [&](std::size_t i)
-    { return this->Entries.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(begin), at(middle), at(end),
-      [axis](const Entry& l, const Entry& r) { return l.middle[axis] < r.middle[axis]; });
-  }
-
-  /// Ids, places, and of each leaf its distinct fields: in Distinct, from its first item's on.
-  void listPlanes()
-  {
-    const std::size_t arity = this->Items.arity;
-    this->Tree.Ids.resize(this->Entries.size());
-    this->Tree.Places.resize(this->Entries.size() * arity);
-    this->Distinct.resize(this->Entries.size() * arity);
-    this->Counts.resize(this->Leaves);
-    this->Loop(this->Leaves, heavyGrain,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t leaf = begin; leaf < end; ++leaf)
-        {
-          this->listLeaf(leaf);
-        }
-      });
-    // Rows of whole vectors.
-    this->Tree.FirstPlane.push_back(0);
-    for (const std::uint32_t count : this->Counts)
-    {
-      this->Tree.FirstPlane.push_back(this->Tree.FirstPlane.back() + (count + 3) / 4 * 4);
-    }
-  }
-
-  void listLeaf(std::size_t leaf)
-  {
-    const std::size_t arity = this->Items.arity;
-    const std::size_t first = this->Tree.firstItem(leaf);
-    const std::size_t end = this->Tree.firstItem(leaf + 1);
-    Index* const distinct = this->Distinct.data() + first * arity;
-    Index* last = distinct;
-    for (std::size_t i = first; i < end; ++i)
-    {
-      last = std::copy_n(this->fieldsOf(this->Entries[i].item), arity, last);
-    }
-    std::sort(distinct, last);
-    last = std::unique(distinct, last);
-    for (std::size_t i = first; i < end; ++i)
-    {
-      const Index item = this->Entries[i].item;
-      this->Tree.Ids[i] = this->Items.ids[item];
-      for (std::size_t k = 0; k < arity; ++k)
-      {
-        this->Tree.Places[i * arity + k] = static_cast<std::uint8_t>(
-          std::lower_bound(distinct, last, this->fieldsOf(item)[k]) - distinct);
-      }
-    }
-    this->Counts[leaf] = static_cast<std::uint32_t>(last - distinct);
-  }
-
-  void copyPlanes()
-  {
-    this->Tree.Planes.resize(std::size_t(4) * this->Tree.FirstPlane.back());
-    this->Tree.Boxes.resize(2 * this->Leaves - 1);
-    this->Loop(this->Leaves, heavyGrain,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t leaf = begin; leaf < end; ++leaf)
-        {
-          this->copyLeaf(leaf);
-        }
-      });
-  }
-
-  /// What is left of a row repeats the leaf's last plane.
-  void copyLeaf(std::size_t leaf)
-  {
-    const std::size_t first = this->Tree.FirstPlane[leaf];
-    const std::size_t row = this->Tree.FirstPlane[leaf + 1] - first;
-    const Index* distinct = this->Distinct.data() + this->Tree.firstItem(leaf) * this->Items.arity;
-    float* planes = this->Tree.Planes.data() + 4 * first;
-    Box box{ this->Items.planes[*distinct], this->Items.planes[*distinct] };
-    for (std::size_t i = 0; i < row; ++i)
-    {
-      const glm::vec4& q =
-        this->Items.planes[distinct[std::min<std::size_t>(i, this->Counts[leaf] - 1)]];
-      box = { glm::min(box.low, q), glm::max(box.high, q) };
-      for (int k = 0; k < 4; ++k)
-      {
-        planes[static_cast<std::size_t>(k) * row + i] = q[k];
-      }
-    }
-    this->Tree.Boxes[this->Leaves - 1 + leaf] = box;
-  }
-
-  void joinBoxes()
-  {
-    std::vector<Box>& boxes = this->Tree.Boxes;
-    for (std::size_t i = this->Leaves - 1; i-- > 0;)
-    {
-      const Box& l = boxes[2 * i + 1];
-      const Box& r = boxes[2 * i + 2];
-      boxes[i] = { glm::min(l.low, r.low), glm::max(l.high, r.high) };
-    }
-  }
-
-  FacingHierarchy& Tree;
-  const FacingItems& Items;
-  const RangeLoop& Loop;
-  const std::size_t Leaves;
-  std::vector<Entry> Entries;
-  std::vector<Index> Distinct;
-  std::vector<std::uint32_t> Counts; ///< of distinct fields in each leaf
-};
-
-FacingHierarchy::FacingHierarchy(const FacingItems& items, const RangeLoop& loop)
-  : Centre(items.centre)
-  , Radius(items.radius)
-  , Arity(items.arity)
-{
-  if (items.ids.empty())
-  {
-    return;
-  }
-  while ((items.ids.size() >> this->Depth) >= mostItems)
-  {
-    ++this->Depth;
-  }
-  this->Ids.resize(items.ids.size());
-  Builder(*this, items, loop).build();
+  return glm::vec4(std::nearbyint(plane.x * one), std::nearbyint(plane.y * one),
+    std::nearbyint(plane.z * one), std::nearbyint(plane.w * one));
 }
 
-/// Let s be the larger of |l - w c| and w R, so that q . plane is the field by |N| s. Its rounding in
-/// floats is below 20 units of 2^-24: each of four products of at most 1 has three roundings, and
-/// there are three sums. The field in double is off by a few units of 2^-53 of |N| (|l| + w |p|),
-/// which counts where the mesh is far from the origin.
+void FacingHierarchy::joinBoxes()
+{
+  for (std::size_t level = 1; level < this->Levels.size(); ++level)
+  {
+    const std::vector<Box>& below = this->Levels[level - 1];
+    for (std::size_t i = 0; i < below.size(); ++i)
+    {
+      this->Levels[level][i / fan].add(below[i].low, below[i].high);
+    }
+  }
+}
+
+/// Let s be the larger of |l - w c| and w R, so that q . (l, w) is the field by |N| s. In units of
+/// one^2 it is off by at most 2.74 / one: half an integer for each component of either plane, whose
+/// components sum up to at most the square root of 3, and 1. The field in double is off by a few
+/// units of 2^-53 of |N| (|l| + w |p|), which counts where the mesh is far from the origin.
 FacingHierarchy::Query FacingHierarchy::makeQuery(const Light& light) const
 {
-  const Vec3 place = light.position - light.w * this->Centre;
-  const double reach = light.w * this->Radius;
+  const Vec3 place = light.position - light.w * this->TheBall.centre;
+  const double reach = light.w * this->TheBall.radius;
   const double scale = std::fmax(glm::length(place), reach);
-  if (!isInRange(this->Radius, 100.0) || !isInRange(scale, 100.0))
+  if (!isInRange(this->TheBall.radius) || !isInRange(scale))
   {
-    return { glm::vec4(0.0f), 1.0f };
+    return { {}, std::numeric_limits<std::int32_t>::max() }; // nothing is certain
   }
-  const Vec3 direction = place / scale;
   const double magnitude =
-    glm::length(light.position) + light.w * (glm::length(this->Centre) + this->Radius);
-  const double margin = std::ldexp(32.0, -24) + std::ldexp(32.0, -53) * magnitude / scale;
-  return { { static_cast<float>(direction.x), static_cast<float>(direction.y),
-             static_cast<float>(direction.z), static_cast<float>(reach / scale) },
-    static_cast<float>(std::fmin(2.0 * margin, 1e30)) };
-}
-
-bool FacingHierarchy::hasOneSign(const Box& box, const Query& query)
-{
-  const glm::vec4 a = box.low * query.plane;
-  const glm::vec4 b = box.high * query.plane;
-  const glm::vec4 low = glm::min(a, b);
-  const glm::vec4 high = glm::max(a, b);
-  return (low.x + low.y) + (low.z + low.w) > query.margin ||
-    (high.x + high.y) + (high.z + high.w) < -query.margin;
-}
-
-std::vector<Index> FacingHierarchy::leavesWithBothSigns(const Query& query) const
-{
-  std::vector<Index> found;
-  const std::size_t firstLeaf = (std::size_t(1) << this->Depth) - 1;
-  std::vector<std::size_t> open;
-  if (!this->Ids.empty())
+    glm::length(light.position) + light.w * (glm::length(this->TheBall.centre) + this->TheBall.radius);
+  const double margin = 3.0 / one + std::ldexp(64.0, -53) * magnitude / scale;
+  const glm::vec4 q = quantized(Vec4(place, reach) / scale);
+  Query query;
+  for (int c = 0; c < 4; ++c)
   {
-    open.push_back(0);
+    query.plane[static_cast<std::size_t>(c)] = static_cast<std::int16_t>(q[c]);
   }
-  while (!open.empty())
+  query.margin = static_cast<std::int32_t>(
+    std::fmin(margin * one * one, std::numeric_limits<std::int32_t>::max()));
+  return query;
+}
+
+std::vector<Index> FacingHierarchy::blocksWithBothSigns(const Query& query) const
+{
+  const glm::vec4 light(query.plane[0], query.plane[1], query.plane[2], query.plane[3]);
+  // Sums of products in float are off by less than 2^-21 of at most 8 one^2.
+  const float margin = static_cast<float>(query.margin) + 4096.0f;
+  const auto hasOneSign = [&](const Box& box)
   {
-    const std::size_t node = open.back();
-    open.pop_back();
-    if (hasOneSign(this->Boxes[node], query))
+    const glm::vec4 a = box.low * light;
+    const glm::vec4 b = box.high * light;
+    const glm::vec4 low = glm::min(a, b);
+    const glm::vec4 high = glm::max(a, b);
+    return (low.x + low.y) + (low.z + low.w) > margin ||
+      (high.x + high.y) + (high.z + high.w) < -margin;
+  };
+  std::vector<Index> alive;
+  std::vector<Index> next;
+  for (std::size_t level = this->Levels.size(); level-- > 0;)
+  {
+    const std::vector<Box>& boxes = this->Levels[level];
+    next.clear();
+    const auto test = [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        if (!hasOneSign(boxes[i]))
+        {
+          next.push_back(static_cast<Index>(i));
+        }
+      }
+    };
+    if (level + 1 == this->Levels.size())
+    {
+      test(0, boxes.size());
+    }
+    for (const Index node : alive)
+    {
+      test(fan * node, std::min(fan * node + fan, boxes.size()));
+    }
+    alive.swap(next);
+  }
+  return alive;
+}
+
+template <unsigned Arity>
+void FacingHierarchy::searchBlock(
+  std::size_t block, const Query& query, const IsLit& isLit, FacingFound& found) const
+{
+  // Plain loops over rows: compilers make vectors of them.
+  std::int32_t signs[blockSize] = {};
+  for (unsigned k = 0; k < Arity; ++k)
+  {
+    const std::int16_t* x = this->Planes.data() + (block * Arity + k) * 4 * blockSize;
+    const std::int16_t* y = x + blockSize;
+    const std::int16_t* z = y + blockSize;
+    const std::int16_t* w = z + blockSize;
+    const std::int16_t lx = query.plane[0];
+    const std::int16_t ly = query.plane[1];
+    const std::int16_t lz = query.plane[2];
+    const std::int16_t lw = query.plane[3];
+    for (std::size_t i = 0; i < blockSize; ++i)
+    {
+      const std::int32_t value = x[i] * lx + y[i] * ly + z[i] * lz + w[i] * lw;
+      const std::int32_t lit = value > query.margin ? std::int32_t(1u << k) : 0;
+      const std::int32_t open = value <= query.margin && value >= -query.margin ? uncertain : 0;
+      signs[i] |= lit | open;
+    }
+  }
+  std::uint8_t codes[blockSize];
+  for (std::size_t i = 0; i < blockSize; ++i)
+  {
+    codes[i] = static_cast<std::uint8_t>(signs[i]);
+  }
+
+  constexpr unsigned all = (1u << Arity) - 1;
+  const std::size_t first = block * blockSize;
+  const std::size_t count = std::min(blockSize, this->Count - first);
+  found.tested += count;
+  for (std::size_t word = 0; word < count; word += 8)
+  {
+    std::uint64_t eight;
+    std::memcpy(&eight, codes + word, 8);
+    if (eight == 0 || eight == all * 0x0101010101010101ull)
     {
       continue;
     }
-    if (node >= firstLeaf)
+    for (std::size_t i = word; i < std::min(count, word + 8); ++i)
     {
-      found.push_back(static_cast<Index>(node - firstLeaf));
-      continue;
-    }
-    open.push_back(2 * node + 2);
-    open.push_back(2 * node + 1);
-  }
-  return found;
-}
-
-void FacingHierarchy::searchLeaf(
-  std::size_t leaf, const Query& query, std::vector<Index>& found) const
-{
-  const std::size_t row = this->FirstPlane[leaf + 1] - this->FirstPlane[leaf];
-  const float* x = this->Planes.data() + std::size_t(4) * this->FirstPlane[leaf];
-  const float* y = x + row;
-  const float* z = y + row;
-  const float* w = z + row;
-  std::array<std::uint8_t, mostPlanes> signs;
-  for (std::size_t i = 0; i < row; ++i)
-  {
-    const float value = (x[i] * query.plane.x + y[i] * query.plane.y) +
-      (z[i] * query.plane.z + w[i] * query.plane.w);
-    signs[i] = static_cast<std::uint8_t>((value >= -query.margin ? mayBeLit : 0u) |
-      (value <= query.margin ? mayBeDark : 0u));
-  }
-  const std::uint8_t* places = this->Places.data() + this->firstItem(leaf) * this->Arity;
-  for (std::size_t i = this->firstItem(leaf); i < this->firstItem(leaf + 1); ++i)
-  {
-    unsigned together = 0;
-    for (unsigned k = 0; k < this->Arity; ++k)
-    {
-      together |= signs[*places++];
-    }
-    if (together == bothSigns)
-    {
-      found.push_back(this->Ids[i]);
+      unsigned lit = codes[i];
+      const Index item = static_cast<Index>(first + i);
+      if (lit & uncertain)
+      {
+        lit = 0;
+        for (unsigned k = 0; k < Arity; ++k)
+        {
+          lit |= isLit(item, k) ? 1u << k : 0u;
+        }
+      }
+      if (lit != 0 && lit != all)
+      {
+        found.items.push_back(item);
+        found.lit.push_back(static_cast<std::uint8_t>(lit));
+      }
     }
   }
 }
 
-std::vector<Index> FacingHierarchy::candidates(
-  const Light& light, const RangeLoop& loop, std::size_t& tested) const
+FacingFound FacingHierarchy::search(
+  const Light& light, bool useTree, const IsLit& isLit, const RangeLoop& loop) const
 {
   const Query query = this->makeQuery(light);
-  const std::vector<Index> leaves = this->leavesWithBothSigns(query);
-  constexpr std::size_t blockSize = 64;
-  const std::size_t blocks = (leaves.size() + blockSize - 1) / blockSize;
-  std::vector<std::vector<Index>> parts(blocks);
-  loop(blocks, 16,
+  std::vector<Index> blocks;
+  if (useTree)
+  {
+    blocks = this->blocksWithBothSigns(query);
+  }
+  else
+  {
+    blocks.resize(this->Blocks);
+    std::iota(blocks.begin(), blocks.end(), Index(0));
+  }
+  constexpr std::size_t chunk = 256;
+  std::vector<FacingFound> parts((blocks.size() + chunk - 1) / chunk);
+  loop(parts.size(), 1,
     [&](std::size_t begin, std::size_t end)
     {
-      for (std::size_t i = begin * blockSize; i < std::min(end * blockSize, leaves.size()); ++i)
+      for (std::size_t part = begin; part < end; ++part)
       {
-        this->searchLeaf(leaves[i], query, parts[i / blockSize]);
+        const auto searchThem = [&](auto arity)
+        {
+          for (std::size_t i = part * chunk; i < std::min((part + 1) * chunk, blocks.size()); ++i)
+          {
+            this->searchBlock<arity>(blocks[i], query, isLit, parts[part]);
+          }
+        };
+        switch (this->Arity)
+        {
+          case 2:
+            searchThem(std::integral_constant<unsigned, 2>());
+            break;
+          case 3:
+            searchThem(std::integral_constant<unsigned, 3>());
+            break;
+          default:
+            searchThem(std::integral_constant<unsigned, 4>());
+            break;
+        }
       }
     });
-  std::vector<Index> found;
-  for (const std::vector<Index>& part : parts)
+  FacingFound found = parts.empty() ? FacingFound() : std::move(parts[0]);
+  for (std::size_t part = 1; part < parts.size(); ++part)
   {
-    found.insert(found.end(), part.begin(), part.end());
+    found.items.insert(found.items.end(), parts[part].items.begin(), parts[part].items.end());
+    found.lit.insert(found.lit.end(), parts[part].lit.begin(), parts[part].lit.end());
+    found.tested += parts[part].tested;
   }
-  for (const Index leaf : leaves)
-  {
-    tested += this->firstItem(leaf + 1) - this->firstItem(leaf);
-  }
-  std::sort(found.begin(), found.end());
   return found;
 }
 
 std::size_t FacingHierarchy::memory() const
 {
-  return sizeof(*this) + this->Boxes.capacity() * sizeof(Box) +
-    this->Ids.capacity() * sizeof(Index) + this->Places.capacity() +
-    this->FirstPlane.capacity() * sizeof(std::uint32_t) + this->Planes.capacity() * sizeof(float);
+  std::size_t total = this->Planes.capacity() * sizeof(std::int16_t);
+  for (const std::vector<Box>& level : this->Levels)
+  {
+    total += level.capacity() * sizeof(Box);
+  }
+  return total;
 }
 }

@@ -1,4 +1,4 @@
-/// A box tree over planes in four dimensions: finds what a light sees from both sides without
+/// What a light sees from both sides, found among items that are ordered by how they face, without
 /// looking at the rest.
 #pragma once
 
@@ -8,73 +8,121 @@
 
 namespace shadow
 {
-/// What a hierarchy is built over. A field's sign for the light (l, w) is that of q . (l, w) with
-/// q = (N, -N . p), for faces and for corner normals, for points and for directions alike.
-struct FacingItems
+/// Items whose fields differ in sign.
+struct FacingFound
 {
-  /// The q of each field at unit length of N, in the frame of the ball around the mesh. Zero where
-  /// it is unknown or out of range: such a field may have either sign.
-  std::vector<glm::vec4> planes;
-  unsigned arity = 2;        ///< fields of an item, 2 to 4
-  std::vector<Index> fields; ///< of item after item; items with fewer ones repeat one
-  std::vector<Index> ids;    ///< of each item, ascending
-  Vec3 centre{ 0.0 };        ///< the ball
-  double radius = 0.0;
+  std::vector<Index> items;      ///< ascending
+  std::vector<std::uint8_t> lit; ///< of each item, bit k: field k is lit
+  std::size_t tested = 0;        ///< items that were looked at
 };
 
-/// The plane of a field N . (l - w p), as FacingItems wants it.
-glm::vec4 facingPlane(const Vec3& normal, const Vec3& point, const Vec3& centre, double radius);
-
-/// Halves the items by the medians of their planes along the longest axis until 32 to 64 are left;
-/// these lie in a leaf with their distinct planes, once each, side by side. All planes and boxes
-/// are floats: a bound on every rounding, the one of fields in double included, is added to each
-/// decision, so nothing is missed.
+/// Items of two to four fields each, as an edge has its two faces' and a triangle its three corners'.
+/// A field's sign for the light (l, w) is that of q . (l, w), q the facing plane of the field: one
+/// code for faces and corners, points and directions.
 ///
-/// Immutable; about 20 bytes an item. Building is O(n log n), a search in proportion to what is
-/// found and what is near it: about the square root of n items on a smooth surface.
+/// The planes are kept in integers of 16 bits, component by component in blocks of 32 items, over
+/// which lies a tree of boxes in the four dimensions of q, eight to a node: what has one sign in the
+/// box has it everywhere in there. A bound on all roundings, the one of the fields in double
+/// included, is added to each decision. The few fields whose sign that leaves open are evaluated.
+/// So the result is that of looking at every field in double.
+///
+/// Immutable; 8 bytes a field and 2 an item. A search by the tree is in proportion to what is found
+/// and what is near it: about the square root of the number of items on a smooth surface.
 class FacingHierarchy
 {
 public:
-  /// The same tree whatever the loop.
-  FacingHierarchy(const FacingItems& items, const RangeLoop& loop);
+  FacingHierarchy() = default;
 
-  /// Ids, ascending, of the items whose fields may differ in sign, with all those whose fields in
-  /// double do differ or are zero; adds to `tested` the number of items looked at.
-  std::vector<Index> candidates(
-    const Light& light, const RangeLoop& loop, std::size_t& tested) const;
+  /// planeOf(item, k) is the plane of the item's field k, as facingPlane gives it in the ball. Items
+  /// should come in an order in which neighbours have similar planes.
+  template <class PlaneOf>
+  FacingHierarchy(unsigned arity, std::size_t count, const Ball& ball, const RangeLoop& loop,
+    const PlaneOf& planeOf)
+    : FacingHierarchy(arity, count, ball)
+  {
+    loop(this->Blocks, heavyGrain,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t block = begin; block < end; ++block)
+        {
+          this->fillBlock(block, [&](std::size_t item, unsigned k)
+            { return planeOf(static_cast<Index>(item), k); });
+        }
+      });
+    this->joinBoxes();
+  }
+
+  /// What the light sees from both sides; isLit(item, k) is the field's sign in double. Without the
+  /// tree all items are looked at.
+  using IsLit = std::function<bool(Index item, unsigned k)>;
+  FacingFound search(
+    const Light& light, bool useTree, const IsLit& isLit, const RangeLoop& loop) const;
 
   std::size_t memory() const; ///< bytes
+
+  static constexpr std::size_t blockSize = 32; ///< items
 
 private:
   struct Box
   {
-    glm::vec4 low;
-    glm::vec4 high;
+    glm::vec4 low{ std::numeric_limits<float>::max() };
+    glm::vec4 high{ -std::numeric_limits<float>::max() };
+
+    void add(const glm::vec4& lowest, const glm::vec4& highest)
+    {
+      this->low = glm::min(this->low, lowest);
+      this->high = glm::max(this->high, highest);
+    }
   };
 
-  /// The light in the frame of the ball, with the bound on what rounding adds to q . plane.
+  /// The light in the frame of the ball, as an integer plane's partner.
   struct Query
   {
-    glm::vec4 plane;
-    float margin;
+    std::array<std::int16_t, 4> plane;
+    std::int32_t margin;
   };
 
-  class Builder;
+  FacingHierarchy(unsigned arity, std::size_t count, const Ball& ball);
 
+  template <class PlaneOf>
+  void fillBlock(std::size_t block, const PlaneOf& planeOf)
+  {
+    Box& box = this->Levels[0][block];
+    for (unsigned k = 0; k < this->Arity; ++k)
+    {
+      std::int16_t* rows = this->rowsOf(block, k);
+      for (std::size_t i = 0; i < blockSize; ++i)
+      {
+        // What is left of the last block repeats its last item.
+        const glm::vec4 q =
+          quantized(planeOf(std::min(block * blockSize + i, this->Count - 1), k));
+        box.add(q, q);
+        for (int c = 0; c < 4; ++c)
+        {
+          rows[static_cast<std::size_t>(c) * blockSize + i] = static_cast<std::int16_t>(q[c]);
+        }
+      }
+    }
+  }
+
+  std::int16_t* rowsOf(std::size_t block, unsigned k)
+  {
+    return this->Planes.data() + (block * this->Arity + k) * 4 * blockSize;
+  }
+
+  static glm::vec4 quantized(const Vec4& plane);
+  void joinBoxes();
   Query makeQuery(const Light& light) const;
-  static bool hasOneSign(const Box& box, const Query& query);
-  std::size_t firstItem(std::size_t leaf) const { return (leaf * this->Ids.size()) >> this->Depth; }
-  std::vector<Index> leavesWithBothSigns(const Query& query) const;
-  void searchLeaf(std::size_t leaf, const Query& query, std::vector<Index>& found) const;
+  std::vector<Index> blocksWithBothSigns(const Query& query) const;
+  template <unsigned Arity>
+  void searchBlock(
+    std::size_t block, const Query& query, const IsLit& isLit, FacingFound& found) const;
 
-  Vec3 Centre;
-  double Radius;
-  unsigned Arity;
-  unsigned Depth = 0;                  ///< there are 2^Depth leaves
-  std::vector<Box> Boxes;              ///< as a heap: the children of i are 2 i + 1 and 2 i + 2
-  std::vector<Index> Ids;              ///< of items, leaf after leaf
-  std::vector<std::uint8_t> Places;    ///< of each item's fields in its leaf
-  std::vector<std::uint32_t> FirstPlane; ///< of each leaf, and the end; multiples of four
-  std::vector<float> Planes; ///< four rows a leaf, one a component, over the leaf's planes
+  Ball TheBall;
+  unsigned Arity = 2;
+  std::size_t Count = 0;
+  std::size_t Blocks = 0;
+  std::vector<std::int16_t> Planes;     ///< block, field, component, item
+  std::vector<std::vector<Box>> Levels; ///< of the blocks, of eight blocks, and so on
 };
 }

@@ -71,6 +71,13 @@ inline bool isLit(double field)
 
 using Triangle = std::array<Index, 3>;
 
+/// A ball around a mesh: the centre of its bounds and half their diagonal.
+struct Ball
+{
+  Vec3 centre{ 0.0 };
+  double radius = 0.0;
+};
+
 /// Triangles over distinct vertices. Each corner has a normal of its own; corners at one vertex
 /// that share their normal share its number.
 struct TriangleMesh
@@ -87,6 +94,22 @@ struct TriangleMesh
     const Triangle& t = this->triangles[triangle];
     const Vec3& origin = this->points[t[0]];
     return glm::cross(this->points[t[1]] - origin, this->points[t[2]] - origin);
+  }
+
+  Ball ball() const
+  {
+    if (this->points.empty())
+    {
+      return {};
+    }
+    Vec3 low = this->points[0];
+    Vec3 high = low;
+    for (const Vec3& p : this->points)
+    {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+    return { 0.5 * (low + high), 0.5 * glm::length(high - low) };
   }
 };
 

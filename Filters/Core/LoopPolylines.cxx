@@ -1,7 +1,5 @@
 #include "LoopPolylines.h"
 
-#include "SmoothContour.h"
-
 #include <algorithm>
 #include <limits>
 
@@ -17,36 +15,6 @@ struct ContourPoint
   Vec3 normal;
 };
 
-/// The first side's normal at a vertex of a link's edge; a chord's ends are crossings.
-Vec3 vertexNormal(const Caster& caster, const Piece& piece, Index vertex)
-{
-  const EdgeTable& edges = caster.edges();
-  const Side side = edges.sides[edges.firstSide[piece.source]];
-  const SideNormals normals = sideNormals(caster.mesh(), edges, piece.source, side);
-  return caster.mesh()
-    .normals[caster.mesh().normalVertex[normals.a] == vertex ? normals.a : normals.b];
-}
-
-ContourPoint pointAt(
-  const Caster& caster, const SilhouetteChain& chain, const Piece& piece, Index node)
-{
-  const std::size_t vertexCount = caster.mesh().points.size();
-  if (node >= vertexCount)
-  {
-    const Crossing& c = chain.crossings[node - vertexCount];
-    return { c.point, c.meshPoint, c.normal };
-  }
-  const Vec3& p = caster.mesh().points[node];
-  return { p, p, vertexNormal(caster, piece, node) };
-}
-
-/// Below a few roundings of the coordinates a deviation is noise, which no subdivision mends.
-double finestTolerance(const Caster& caster)
-{
-  return 16.0 * std::numeric_limits<double>::epsilon() *
-    (glm::length(caster.centre()) + caster.radius());
-}
-
 ContourPoint pointBetween(
   const CubicCurve& curve, double s, const ContourPoint& from, const ContourPoint& to)
 {
@@ -56,73 +24,165 @@ ContourPoint pointBetween(
   return { curve.point(s), from.meshPoint + s * (to.meshPoint - from.meshPoint),
     unitOrZero(normal) };
 }
+
+class PolylineMaker
+{
+public:
+  PolylineMaker(const Caster& caster, const SilhouetteChain& chain, const SilhouetteLoops& loops,
+    const PolylineTolerance& tolerance, const RangeLoop& loop)
+    : TheCaster(caster)
+    , Chain(chain)
+    , Loops(loops)
+    , Receiver(tolerance.receiver)
+    , Loop(loop)
+    , VertexCount(caster.mesh().points.size())
+  {
+    // Below a few roundings of the coordinates a deviation is noise, which no subdivision mends.
+    this->Limit.rounding = 16.0 * std::numeric_limits<double>::epsilon() *
+      (glm::length(caster.centre()) + caster.radius());
+    this->Limit.tolerance = tolerance.length;
+  }
+
+  LoopPolylines make(const std::function<PolylineArrays(std::size_t count)>& allocate)
+  {
+    this->countPoints();
+    this->Lines.nodes.resize(this->FirstPoint.back());
+    for (const std::size_t piece : this->Loops.first)
+    {
+      this->Lines.first.push_back(this->FirstPoint[piece]);
+    }
+    const PolylineArrays arrays = allocate(this->FirstPoint.back());
+    this->Loop(this->Loops.pieces.size(), 8 * heavyGrain,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          this->writePiece(i, arrays);
+        }
+      });
+    return std::move(this->Lines);
+  }
+
+private:
+  template <class Emit>
+  Deviation subdividePiece(Index piece, const Emit& emit) const
+  {
+    const CubicCurve& curve = this->Chain.curves[piece];
+    if (this->Receiver)
+    {
+      return subdivide(curve, this->Limit,
+        [&](const CubicCurve& c)
+        { return Deviation{ c.deviationBound(), this->Receiver->deviationBound(c) }; }, emit);
+    }
+    return subdivide(curve, this->Limit,
+      [](const CubicCurve& c)
+      {
+        const double bound = c.deviationBound();
+        return Deviation{ bound, bound };
+      },
+      emit);
+  }
+
+  /// A point for each piece, and those that subdivision adds to a curve.
+  void countPoints()
+  {
+    const std::size_t count = this->Loops.pieces.size();
+    this->FirstPoint.resize(count + 1);
+    if (this->Chain.kind != SilhouetteKind::Smooth)
+    {
+      for (std::size_t i = 0; i <= count; ++i)
+      {
+        this->FirstPoint[i] = i;
+      }
+      return;
+    }
+    std::vector<Deviation> deviations(count);
+    this->FirstPoint[0] = 0;
+    this->Loop(count, 4 * heavyGrain,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          std::size_t points = 1;
+          deviations[i] =
+            this->subdividePiece(this->Loops.pieces[i], [&](double) { ++points; });
+          this->FirstPoint[i + 1] = points;
+        }
+      });
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->FirstPoint[i + 1] += this->FirstPoint[i];
+      this->Lines.deviation.include(deviations[i]);
+    }
+  }
+
+  /// The first side's normal at a vertex of a link's edge; a chord's ends are crossings.
+  Vec3 vertexNormal(const Piece& piece, Index vertex) const
+  {
+    const TriangleMesh& mesh = this->TheCaster.mesh();
+    const EdgeTable& edges = this->TheCaster.edges();
+    const Side side = edges.sides[edges.firstSide(piece.source)];
+    const unsigned corner = side % 3;
+    const unsigned at = mesh.triangles[side / 3][corner] == vertex ? corner : next(corner);
+    return mesh.normals[mesh.cornerNormals[side / 3][at]];
+  }
+
+  ContourPoint pointAt(const Piece& piece, Index node) const
+  {
+    if (node >= this->VertexCount)
+    {
+      const Crossing& c = this->Chain.crossings[node - this->VertexCount];
+      return { c.point, c.meshPoint, c.normal };
+    }
+    const Vec3& p = this->TheCaster.mesh().points[node];
+    return { p, p, this->vertexNormal(piece, node) };
+  }
+
+  void writePiece(std::size_t i, const PolylineArrays& arrays)
+  {
+    const Index pieceIndex = this->Loops.pieces[i];
+    const Piece& piece = this->Chain.pieces[pieceIndex];
+    std::size_t at = this->FirstPoint[i];
+    const auto write = [&](const ContourPoint& p, Index node)
+    {
+      arrays.points[at] = p.point;
+      if (arrays.meshPoints)
+      {
+        arrays.meshPoints[at] = p.meshPoint;
+      }
+      if (arrays.normals)
+      {
+        arrays.normals[at] = p.normal;
+      }
+      this->Lines.nodes[at++] = node;
+    };
+    const ContourPoint from = this->pointAt(piece, piece.from);
+    write(from, piece.from);
+    if (this->FirstPoint[i + 1] == at)
+    {
+      return;
+    }
+    const ContourPoint to = this->pointAt(piece, piece.to);
+    this->subdividePiece(pieceIndex,
+      [&](double s) { write(pointBetween(this->Chain.curves[pieceIndex], s, from, to), None); });
+  }
+
+  const Caster& TheCaster;
+  const SilhouetteChain& Chain;
+  const SilhouetteLoops& Loops;
+  const ShadowReceiver* Receiver;
+  const RangeLoop& Loop;
+  const std::size_t VertexCount;
+  SubdivisionLimit Limit;
+  std::vector<std::size_t> FirstPoint; ///< of each of the loops' pieces, and the end
+  LoopPolylines Lines;
+};
 }
 
 LoopPolylines makePolylines(const Caster& caster, const SilhouetteChain& chain,
-  const SilhouetteLoops& loops, double tolerance, const RangeLoop& loop)
+  const SilhouetteLoops& loops, const PolylineTolerance& tolerance, const RangeLoop& loop,
+  const std::function<PolylineArrays(std::size_t count)>& allocate)
 {
-  const std::size_t count = loops.pieces.size();
-  const bool curved = chain.kind == SilhouetteKind::Smooth;
-  std::vector<std::vector<double>> inner(curved ? count : 0);
-  std::vector<double> deviation(inner.size(), 0.0);
-  tolerance = std::max(tolerance, finestTolerance(caster));
-  loop(inner.size(), heavyGrain,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        deviation[i] = subdivide(chain.curves[loops.pieces[i]], tolerance,
-          [&](double s) { inner[i].push_back(s); });
-      }
-    });
-
-  std::vector<std::size_t> firstPoint(count + 1, 0);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    firstPoint[i + 1] = firstPoint[i] + 1 + (curved ? inner[i].size() : 0);
-  }
-  LoopPolylines lines;
-  lines.points.resize(firstPoint[count]);
-  lines.meshPoints.resize(firstPoint[count]);
-  lines.normals.resize(firstPoint[count]);
-  lines.nodes.assign(firstPoint[count], None);
-  for (const std::size_t piece : loops.first)
-  {
-    lines.first.push_back(firstPoint[piece]);
-  }
-  for (const double d : deviation)
-  {
-    lines.maximumDeviation = std::max(lines.maximumDeviation, d);
-  }
-
-  loop(count, curved ? heavyGrain : lightGrain,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const Index pieceIndex = loops.pieces[i];
-        const Piece& piece = chain.pieces[pieceIndex];
-        const ContourPoint from = pointAt(caster, chain, piece, piece.from);
-        const auto store = [&](std::size_t at, const ContourPoint& p)
-        {
-          lines.points[at] = p.point;
-          lines.meshPoints[at] = p.meshPoint;
-          lines.normals[at] = p.normal;
-        };
-        store(firstPoint[i], from);
-        lines.nodes[firstPoint[i]] = piece.from;
-        if (!curved || inner[i].empty())
-        {
-          continue;
-        }
-        const ContourPoint to = pointAt(caster, chain, piece, piece.to);
-        for (std::size_t j = 0; j < inner[i].size(); ++j)
-        {
-          store(firstPoint[i] + 1 + j,
-            pointBetween(chain.curves[pieceIndex], inner[i][j], from, to));
-        }
-      }
-    });
-  return lines;
+  return PolylineMaker(caster, chain, loops, tolerance, loop).make(allocate);
 }
 }

@@ -280,6 +280,32 @@ std::vector<Count> summed(std::vector<Count> counts)
 }
 }
 
+Index nodeNumber(const Caster& caster, const SilhouetteChain& chain, Index node)
+{
+  const std::size_t vertices = caster.mesh().points.size();
+  return node == None || node < vertices
+    ? node
+    : static_cast<Index>(vertices) + chain.crossings[node - vertices].side;
+}
+
+Index nodeOfNumber(const Caster& caster, const SilhouetteChain& chain, Index number)
+{
+  const Index vertices = static_cast<Index>(caster.mesh().points.size());
+  if (number < vertices)
+  {
+    return number;
+  }
+  const Side side = number - vertices;
+  if (side / 3 >= caster.mesh().triangles.size())
+  {
+    return None;
+  }
+  const Index edge = caster.edges().triangleEdges[side / 3][side % 3];
+  const Index crossing =
+    chain.crossingOf(caster, edge, sideNormals(caster.mesh(), caster.edges(), edge, side));
+  return crossing == None ? None : vertices + crossing;
+}
+
 bool matches(const SilhouetteInput& silhouette, const Caster& caster, const SilhouetteChain& chain)
 {
   const std::vector<Vec3>& vertices = caster.mesh().points;

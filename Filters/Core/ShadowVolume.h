@@ -16,6 +16,13 @@ struct SilhouetteInput
   std::vector<int> multiplicity;  ///< of each loop
 };
 
+/// A number for a node that is the same however the silhouette was searched for: a vertex's own, and
+/// behind these for a crossing that of the first side that crosses there.
+Index nodeNumber(const Caster& caster, const SilhouetteChain& chain, Index node);
+
+/// The chain's node of that number, or None.
+Index nodeOfNumber(const Caster& caster, const SilhouetteChain& chain, Index number);
+
 /// Whether the polylines are the silhouette that the chain describes: the same nodes at the same
 /// places on the mesh, joined by the same pieces.
 bool matches(const SilhouetteInput& silhouette, const Caster& caster, const SilhouetteChain& chain);

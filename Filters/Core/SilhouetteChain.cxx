@@ -9,6 +9,17 @@ namespace shadow
 {
 namespace
 {
+/// The sides of a mixed triangle where, counter-clockwise, lit turns dark and dark turns lit.
+struct CrossedSides
+{
+  std::uint8_t toDark;
+  std::uint8_t toLit;
+};
+
+/// By the bits of the lit corners; 0 and 7 are not mixed.
+constexpr CrossedSides crossedSides[8] = { { 0, 0 }, { 0, 2 }, { 1, 0 }, { 1, 2 }, { 2, 1 },
+  { 0, 1 }, { 2, 0 }, { 0, 0 } };
+
 class ChainBuilder
 {
 public:
@@ -34,14 +45,12 @@ public:
 
   void buildFromCorners(const SearchResult& found)
   {
-    this->findCrossedEdges(found.triangles);
+    this->findCrossedEdges(found);
     this->listCrossings();
     this->solveCrossings();
     this->orderCrossings();
-    for (const Index t : found.triangles)
-    {
-      this->addChord(t);
-    }
+    this->addChords(found);
+    this->Chain.chords = this->Chain.pieces.size();
     for (const Index e : found.edges)
     {
       this->addLinks(e);
@@ -58,10 +67,9 @@ private:
     return this->Chain.field.lit(normals.a) != this->Chain.field.lit(normals.b);
   }
 
-  SideNormals normalsOf(Side side) const
+  SideNormals normalsOf(Index edge, Side side) const
   {
-    return sideNormals(
-      this->Mesh, this->Edges, this->Edges.triangleEdges[side / 3][side % 3], side);
+    return sideNormals(this->Mesh, this->Edges, edge, side);
   }
 
   /// Negative multiplicities turn the piece around, zero leaves it out.
@@ -78,97 +86,110 @@ private:
     }
   }
 
-  void findCrossedEdges(const std::vector<Index>& mixed)
+  void findCrossedEdges(const SearchResult& found)
   {
-    std::vector<Index>& found = this->Chain.crossedEdges;
-    for (const Index t : mixed)
+    // Mostly as many edges as triangles, each of which has two.
+    const std::size_t expected = found.triangles.size() + found.triangles.size() / 8;
+    this->Chain.crossedEdges.reset(expected);
+    this->Crossed.reserve(expected);
+    this->Chords.resize(found.triangles.size());
+    const auto placeOf = [&](Index edge)
     {
-      const Triangle& n = this->Mesh.cornerNormals[t];
-      for (unsigned k = 0; k < 3; ++k)
+      const Index place = this->Chain.crossedEdges.placeOf(edge);
+      if (place == this->Crossed.size())
       {
-        if (this->Chain.field.lit(n[k]) != this->Chain.field.lit(n[next(k)]))
-        {
-          found.push_back(this->Edges.triangleEdges[t][k]);
-        }
+        this->Crossed.push_back(edge);
       }
+      return place;
+    };
+    for (std::size_t i = 0; i < found.triangles.size(); ++i)
+    {
+      const Triangle& edges = this->Edges.triangleEdges[found.triangles[i]];
+      const CrossedSides sides = crossedSides[found.litCorners[i]];
+      this->Chords[i] = { placeOf(edges[sides.toDark]), placeOf(edges[sides.toLit]) };
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    this->Chain.indexCrossedEdges();
   }
 
+  /// The sides of an edge share their normals but at creases.
   void listCrossings()
   {
-    for (const Index e : this->Chain.crossedEdges)
+    std::vector<Crossing>& crossings = this->Chain.crossings;
+    crossings.reserve(this->Crossed.size());
+    this->Chain.firstCrossing.reserve(this->Crossed.size() + 1);
+    for (const Index e : this->Crossed)
     {
-      this->Chain.firstCrossing.push_back(static_cast<Index>(this->Chain.crossings.size()));
-      for (Index i = this->Edges.firstSide[e]; i < this->Edges.firstSide[e + 1]; ++i)
+      this->Chain.firstCrossing.push_back(static_cast<Index>(crossings.size()));
+      const Index first = this->Edges.firstSide(e);
+      if (this->TheCaster.edgeKind(e) == EdgeKind::Plain)
       {
-        const SideNormals normals = sideNormals(this->Mesh, this->Edges, e, this->Edges.sides[i]);
+        crossings.push_back({ e, this->Edges.sides[first], 0.0, Vec3(0.0), Vec3(0.0), Vec3(0.0) });
+        continue;
+      }
+      for (Index i = first; i < this->Edges.firstSide(e + 1); ++i)
+      {
+        const Side side = this->Edges.sides[i];
+        const SideNormals normals = this->normalsOf(e, side);
         if (this->crosses(normals) && !this->isListed(normals))
         {
-          this->Chain.crossings.push_back({ e, normals, 0.0, Vec3(0.0), Vec3(0.0), Vec3(0.0) });
+          crossings.push_back({ e, side, 0.0, Vec3(0.0), Vec3(0.0), Vec3(0.0) });
         }
       }
     }
-    this->Chain.firstCrossing.push_back(static_cast<Index>(this->Chain.crossings.size()));
+    this->Chain.firstCrossing.push_back(static_cast<Index>(crossings.size()));
   }
 
   /// Among the crossings of the edge that is being listed.
   bool isListed(const SideNormals& normals) const
   {
     return std::any_of(this->Chain.crossings.begin() + this->Chain.firstCrossing.back(),
-      this->Chain.crossings.end(), [&](const Crossing& c) { return c.normals == normals; });
+      this->Chain.crossings.end(),
+      [&](const Crossing& c) { return this->normalsOf(c.edge, c.side) == normals; });
   }
 
   void solveCrossings()
   {
-    std::vector<EdgeCurve> curves;
-    if (this->Chain.kind == SilhouetteKind::Smooth)
-    {
-      curves = this->TheCaster.curves(this->Chain.crossedEdges, this->Loop);
-    }
-    this->Loop(this->Chain.crossedEdges.size(), curves.empty() ? lightGrain : heavyGrain,
+    this->Loop(this->Chain.crossings.size(), 4 * heavyGrain,
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t i = begin; i < end; ++i)
         {
-          for (Index c = this->Chain.firstCrossing[i]; c < this->Chain.firstCrossing[i + 1]; ++c)
-          {
-            this->solveCrossing(this->Chain.crossings[c], curves.empty() ? nullptr : &curves[i]);
-          }
+          this->solve(this->Chain.crossings[i]);
         }
       });
   }
 
-  /// Without a curve the field is linear on the edge.
-  void solveCrossing(Crossing& c, const EdgeCurve* curve) const
+  void solve(Crossing& c) const
   {
+    const SideNormals normals = this->normalsOf(c.edge, c.side);
     const Vec3& a = this->Mesh.points[this->Edges.edges[c.edge].a];
     const Vec3& b = this->Mesh.points[this->Edges.edges[c.edge].b];
-    const Vec3& normalA = this->Mesh.normals[c.normals.a];
-    const Vec3& normalB = this->Mesh.normals[c.normals.b];
-    const double fieldA = this->Chain.field.value(c.normals.a);
-    const double fieldB = this->Chain.field.value(c.normals.b);
-    EdgeCurve::Sample sample{ Vec3(0.0), Vec3(0.0) };
-    if (curve)
+    const Vec3& normalA = this->Mesh.normals[normals.a];
+    const Vec3& normalB = this->Mesh.normals[normals.b];
+    const double fieldA = this->Chain.field.value(normals.a);
+    const double fieldB = this->Chain.field.value(normals.b);
+    // Without a curve the field is linear on the edge.
+    if (this->Chain.kind == SilhouetteKind::Smooth)
     {
-      c.parameter =
-        shadow::solveCrossing(*curve, normalA, normalB, fieldA, fieldB, this->Chain.light);
-      sample = curve->sample(c.parameter, normalA, normalB);
+      const EdgeCurve curve = this->TheCaster.curve(c.edge);
+      c.parameter = solveCrossing(curve, normalA, normalB, fieldA, fieldB, this->Chain.light);
+      c.meshPoint = a + c.parameter * (b - a);
+      const EdgeCurve::Sample sample = curve.sample(c.parameter, normalA, normalB);
+      c.point = sample.point;
+      c.normal = unitOrZero(sample.normal);
+      return;
     }
-    else
-    {
-      c.parameter = linearCrossing(fieldA, fieldB);
-      sample = { a + c.parameter * (b - a), normalA + c.parameter * (normalB - normalA) };
-    }
+    c.parameter = linearCrossing(fieldA, fieldB);
     c.meshPoint = a + c.parameter * (b - a);
-    c.point = sample.point;
-    c.normal = unitOrZero(sample.normal);
+    c.point = c.meshPoint;
+    c.normal = unitOrZero(normalA + c.parameter * (normalB - normalA));
   }
 
   void orderCrossings()
   {
+    if (this->Chain.crossings.size() == this->Crossed.size())
+    {
+      return; // one an edge
+    }
     const std::vector<Index>& first = this->Chain.firstCrossing;
     const auto begin = this->Chain.crossings.begin();
     for (std::size_t i = 0; i + 1 < first.size(); ++i)
@@ -183,45 +204,48 @@ private:
     return static_cast<Index>(this->Mesh.points.size()) + crossing;
   }
 
-  Index crossingOfSide(Index triangle, unsigned k) const
+  /// The crossing of a triangle's side, given its edge's place.
+  Index crossingOfSide(Index place, Index triangle, unsigned k) const
   {
-    const Side side = 3 * triangle + k;
-    return this->Chain.crossingOf(
-      this->Edges.triangleEdges[triangle][k], this->normalsOf(side));
+    const Index first = this->Chain.firstCrossing[place];
+    if (this->Chain.firstCrossing[place + 1] == first + 1)
+    {
+      return first;
+    }
+    const Index edge = this->Crossed[place];
+    return this->Chain.crossingOf(this->TheCaster, edge, this->normalsOf(edge, 3 * triangle + k));
   }
 
   /// From the crossing where, counter-clockwise, lit turns dark to the one where dark turns lit:
   /// the lit part lies to its left.
-  void addChord(Index triangle)
+  void addChords(const SearchResult& found)
   {
-    const Triangle& n = this->Mesh.cornerNormals[triangle];
-    Index from = None;
-    Index to = None;
-    for (unsigned k = 0; k < 3; ++k)
+    this->Chain.pieces.reserve(found.triangles.size() + found.edges.size());
+    const ChainWeights& weights = this->TheCaster.weights();
+    for (std::size_t i = 0; i < found.triangles.size(); ++i)
     {
-      const bool here = this->Chain.field.lit(n[k]);
-      if (here != this->Chain.field.lit(n[next(k)]))
-      {
-        (here ? from : to) = this->crossingNode(this->crossingOfSide(triangle, k));
-      }
+      const Index t = found.triangles[i];
+      const CrossedSides sides = crossedSides[found.litCorners[i]];
+      const ChainWeight weight = weights.corner(t);
+      this->addPiece(this->crossingNode(this->crossingOfSide(this->Chords[i].toDark, t, sides.toDark)),
+        this->crossingNode(this->crossingOfSide(this->Chords[i].toLit, t, sides.toLit)), t, true,
+        weight.lit - weight.dark);
     }
-    const ChainWeight weight = this->TheCaster.weights().corner[triangle];
-    this->addPiece(from, to, triangle, true, weight.lit - weight.dark);
   }
 
   /// Multiplicity, from a to b, of an edge's interval that begins after `passed` crossings.
   int intervalMultiplicity(Index edge, Index firstCrossing, Index passed) const
   {
     int sum = 0;
-    for (Index i = this->Edges.firstSide[edge]; i < this->Edges.firstSide[edge + 1]; ++i)
+    for (Index i = this->Edges.firstSide(edge); i < this->Edges.firstSide(edge + 1); ++i)
     {
       const Side side = this->Edges.sides[i];
-      const SideNormals normals = sideNormals(this->Mesh, this->Edges, edge, side);
+      const SideNormals normals = this->normalsOf(edge, side);
       const bool beyond = this->crosses(normals) &&
-        this->Chain.crossingOf(edge, normals) < firstCrossing + passed;
+        this->Chain.crossingOf(this->TheCaster, edge, normals) < firstCrossing + passed;
       const bool lit = this->Chain.field.lit(beyond ? normals.b : normals.a);
       sum += sideSign(this->Mesh, this->Edges, edge, side) *
-        this->TheCaster.weights().corner[side / 3].of(lit);
+        this->TheCaster.weights().corner(side / 3).of(lit);
     }
     return sum;
   }
@@ -249,28 +273,15 @@ private:
 
   void shapePieces()
   {
-    // Chords come first.
     const std::vector<Piece>& pieces = this->Chain.pieces;
-    const std::size_t firstLink = static_cast<std::size_t>(
-      std::find_if(pieces.begin(), pieces.end(), [](const Piece& p) { return !p.isChord; }) -
-      pieces.begin());
-    std::vector<Index> linked;
-    for (std::size_t i = firstLink; i < pieces.size(); ++i)
-    {
-      linked.push_back(pieces[i].source);
-    }
-    const std::vector<EdgeCurve> edgeCurves = this->TheCaster.curves(linked, this->Loop);
     this->Chain.curves.resize(pieces.size());
-    this->Loop(pieces.size(), heavyGrain,
+    this->Loop(pieces.size(), 4 * heavyGrain,
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t i = begin; i < end; ++i)
         {
-          const Piece& p = pieces[i];
-          this->Chain.curves[i] = i < firstLink
-            ? this->chordCurve(p)
-            : edgeCurves[i - firstLink].arc(
-                this->parameterOn(p.source, p.from), this->parameterOn(p.source, p.to));
+          this->Chain.curves[i] = pieces[i].isChord ? this->chordCurve(pieces[i])
+                                                    : this->linkCurve(pieces[i]);
         }
       });
   }
@@ -282,50 +293,36 @@ private:
     return contourSegment(c0.point, c0.normal, c1.point, c1.normal);
   }
 
+  CubicCurve linkCurve(const Piece& p) const
+  {
+    return this->TheCaster.curve(p.source).arc(
+      this->parameterOn(p.source, p.from), this->parameterOn(p.source, p.to));
+  }
+
+  /// The places in Crossed of the edges at a chord's ends.
+  struct Chord
+  {
+    Index toDark;
+    Index toLit;
+  };
+
   Caster& TheCaster;
   const TriangleMesh& Mesh;
   const EdgeTable& Edges;
   SilhouetteChain& Chain;
   const RangeLoop& Loop;
+  std::vector<Index> Crossed; ///< edges, by their places in Chain.crossedEdges
+  std::vector<Chord> Chords;  ///< of the mixed triangles
 };
 }
 
-/// Where an edge's place is, or the free slot that ends its search.
-std::size_t SilhouetteChain::slotOf(Index edge) const
-{
-  // The high half of a product with the golden ratio spreads neighbouring numbers.
-  const std::uint32_t hash = edge * 2654435769u;
-  const std::size_t size = this->crossedPlaces.size();
-  std::size_t slot = (std::uint64_t(hash) * size) >> 32;
-  while (this->crossedPlaces[slot] != None && this->crossedEdges[this->crossedPlaces[slot]] != edge)
-  {
-    slot = slot + 1 < size ? slot + 1 : 0;
-  }
-  return slot;
-}
-
-void SilhouetteChain::indexCrossedEdges()
-{
-  this->crossedPlaces.assign(2 * this->crossedEdges.size() + 1, None);
-  for (std::size_t i = 0; i < this->crossedEdges.size(); ++i)
-  {
-    this->crossedPlaces[this->slotOf(this->crossedEdges[i])] = static_cast<Index>(i);
-  }
-}
-
-std::pair<Index, Index> SilhouetteChain::crossingsOn(Index edge) const
-{
-  const Index i = this->crossedPlaces.empty() ? None : this->crossedPlaces[this->slotOf(edge)];
-  return i == None ? std::pair<Index, Index>{ 0, 0 }
-                   : std::pair<Index, Index>{ this->firstCrossing[i], this->firstCrossing[i + 1] };
-}
-
-Index SilhouetteChain::crossingOf(Index edge, const SideNormals& normals) const
+Index SilhouetteChain::crossingOf(
+  const Caster& caster, Index edge, const SideNormals& normals) const
 {
   const auto [first, end] = this->crossingsOn(edge);
   for (Index c = first; c < end; ++c)
   {
-    if (this->crossings[c].normals == normals)
+    if (sideNormals(caster.mesh(), caster.edges(), edge, this->crossings[c].side) == normals)
     {
       return c;
     }
@@ -336,17 +333,15 @@ Index SilhouetteChain::crossingOf(Index edge, const SideNormals& normals) const
 SilhouetteChain buildSilhouetteChain(Caster& caster, const Light& light, SilhouetteKind kind,
   SearchMethod method, const RangeLoop& loop)
 {
-  const FieldKind fieldKind =
-    kind == SilhouetteKind::Discrete ? FieldKind::Face : FieldKind::Corner;
   SilhouetteChain chain;
   chain.light = light;
   chain.kind = kind;
-  chain.field = LightField(caster.mesh(), light, fieldKind);
+  chain.field = LightField(caster.mesh(), light, fieldKind(kind));
   chain.method = method;
-  const SearchResult found = caster.search(light, fieldKind, method, loop);
+  const SearchResult found = caster.search(light, fieldKind(kind), method, loop);
   chain.itemsTested = found.tested;
   ChainBuilder builder(caster, chain, loop);
-  if (fieldKind == FieldKind::Face)
+  if (chain.field.kind() == FieldKind::Face)
   {
     builder.buildFromFaces(found);
   }

@@ -3,6 +3,7 @@
 
 #include "CasterEdges.h"
 #include "CubicCurve.h"
+#include "IndexTable.h"
 #include "SilhouetteSearch.h"
 
 namespace shadow
@@ -14,15 +15,20 @@ enum class SilhouetteKind
   Smooth    ///< the accurate one, on the smooth surface
 };
 
+inline FieldKind fieldKind(SilhouetteKind kind)
+{
+  return kind == SilhouetteKind::Discrete ? FieldKind::Face : FieldKind::Corner;
+}
+
 /// Where the field of one side, or of several with the same normals, changes sign on an edge.
 struct Crossing
 {
   Index edge;
-  SideNormals normals; ///< of the sides that cross here
-  double parameter;    ///< along the edge from a to b
-  Vec3 meshPoint;      ///< on the mesh
-  Vec3 point;          ///< on the smooth surface; the mesh point for an accurate silhouette
-  Vec3 normal;         ///< unit normal at point
+  Side side;        ///< the first of the sides that cross here
+  double parameter; ///< along the edge from a to b
+  Vec3 meshPoint;   ///< on the mesh
+  Vec3 point;       ///< on the smooth surface; the mesh point for an accurate silhouette
+  Vec3 normal;      ///< unit normal at point
 };
 
 /// A directed piece of the silhouette between two nodes. Nodes are numbered: first the vertices
@@ -36,6 +42,8 @@ struct Piece
   int multiplicity; ///< at least 1
 };
 
+class Caster;
+
 /// Immutable once built; for as long as its caster is there.
 struct SilhouetteChain
 {
@@ -44,27 +52,25 @@ struct SilhouetteChain
   LightField field;                 ///< of the caster's mesh
   SearchMethod method = SearchMethod::BruteForce; ///< how it was found, never Automatic
   std::size_t itemsTested = 0;      ///< triangles and edges that the search looked at
-  std::vector<Index> crossedEdges;  ///< ascending
+  IndexTable crossedEdges;          ///< their places in firstCrossing
   std::vector<Index> firstCrossing; ///< of each crossed edge, and the end
-  std::vector<Index> crossedPlaces; ///< hash table of the places in crossedEdges
   std::vector<Crossing> crossings;  ///< of each crossed edge in order of parameter
-  std::vector<Piece> pieces;
+  std::vector<Piece> pieces;        ///< chords, then links
+  std::size_t chords = 0;           ///< how many pieces are chords
   std::vector<CubicCurve> curves;   ///< Smooth: the curve of each piece
 
   /// First and end of the crossings on an edge; empty if it has none.
-  std::pair<Index, Index> crossingsOn(Index edge) const;
+  std::pair<Index, Index> crossingsOn(Index edge) const
+  {
+    const Index place = this->crossedEdges.find(edge);
+    return place == None
+      ? std::pair<Index, Index>{ 0, 0 }
+      : std::pair<Index, Index>{ this->firstCrossing[place], this->firstCrossing[place + 1] };
+  }
 
   /// The crossing on an edge that belongs to a side with these normals, or None.
-  Index crossingOf(Index edge, const SideNormals& normals) const;
-
-  /// Fills crossedPlaces, as crossingsOn needs it.
-  void indexCrossedEdges();
-
-private:
-  std::size_t slotOf(Index edge) const;
+  Index crossingOf(const Caster& caster, Index edge, const SideNormals& normals) const;
 };
-
-class Caster;
 
 /// Builds the chain of a light, the search by BruteForce or Hierarchy; all else is in proportion to
 /// the silhouette. Same result for every loop and for both methods.

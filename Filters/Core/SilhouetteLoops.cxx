@@ -30,48 +30,45 @@ public:
   }
 
 private:
-  /// Numbers the nodes at which pieces start in order of appearance, through a hash table.
+  /// Gives the nodes numbers without large gaps. Crossings have them already; vertices are few of
+  /// many.
   void compactNodes()
   {
-    unsigned bits = 4;
-    while ((std::size_t(1) << bits) < 2 * this->Pieces.size())
+    Index least = None;
+    Index most = 0;
+    for (const Piece& p : this->Pieces)
     {
-      ++bits;
+      least = std::min(least, std::min(p.from, p.to));
+      most = std::max(most, std::max(p.from, p.to));
     }
-    std::vector<Index> table(std::size_t(1) << bits, None);
-    const auto place = [&](Index node)
+    this->From.resize(this->Pieces.size());
+    this->To.resize(this->Pieces.size());
+    this->Remaining.resize(this->Pieces.size());
+    const auto number = [&](const auto& numberOf)
     {
-      // The golden ratio in 32 bits spreads neighbouring numbers.
-      std::size_t slot = std::uint32_t(node * 2654435769u) >> (32 - std::min(bits, 32u));
-      while (table[slot] != None && this->Nodes[table[slot]] != node)
+      for (std::size_t p = 0; p < this->Pieces.size(); ++p)
       {
-        slot = (slot + 1) & (table.size() - 1);
+        this->From[p] = numberOf(this->Pieces[p].from);
+        this->To[p] = numberOf(this->Pieces[p].to);
+        this->Remaining[p] = this->Pieces[p].multiplicity;
       }
-      return slot;
     };
-    this->From.reserve(this->Pieces.size());
-    this->Remaining.reserve(this->Pieces.size());
-    for (const Piece& p : this->Pieces)
+    if (!this->Pieces.empty() && most - least < 2 * this->Pieces.size())
     {
-      Index& number = table[place(p.from)];
-      if (number == None)
-      {
-        number = static_cast<Index>(this->Nodes.size());
-        this->Nodes.push_back(p.from);
-      }
-      this->From.push_back(number);
-      this->Remaining.push_back(p.multiplicity);
+      number([&](Index node) { return node - least; });
+      this->NodeCount = std::size_t(most - least) + 1;
+      return;
     }
-    this->To.reserve(this->Pieces.size());
-    for (const Piece& p : this->Pieces)
-    {
-      this->To.push_back(table[place(p.to)]);
-    }
+    IndexTable table;
+    // A node has a piece that starts there, unless the chain is open.
+    table.reset(this->Pieces.size());
+    number([&](Index node) { return table.placeOf(node); });
+    this->NodeCount = table.count();
   }
 
   void sortByStart()
   {
-    this->FirstOut.assign(this->Nodes.size() + 1, 0);
+    this->FirstOut.assign(this->NodeCount + 1, 0);
     for (const Index slot : this->From)
     {
       ++this->FirstOut[slot + 1];
@@ -87,7 +84,7 @@ private:
       this->Out[this->Cursor[this->From[p]]++] = static_cast<Index>(p);
     }
     this->Cursor.assign(this->FirstOut.begin(), this->FirstOut.end() - 1);
-    this->PlaceOnPath.assign(this->Nodes.size(), None);
+    this->PlaceOnPath.assign(this->NodeCount, None);
   }
 
   /// A piece that leaves a node and is not yet used up, or None.
@@ -107,7 +104,7 @@ private:
     do
     {
       const Index piece = this->nextPiece(slot);
-      if (piece == None || this->To[piece] == None)
+      if (piece == None)
       {
         this->Loops.balanced = false;
         return;
@@ -142,8 +139,8 @@ private:
   }
 
   const std::vector<Piece>& Pieces;
-  std::vector<Index> Nodes;     ///< distinct starts; the others refer to their places
-  std::vector<Index> From, To;  ///< of each piece
+  std::size_t NodeCount = 0;
+  std::vector<Index> From, To;  ///< of each piece, compact numbers of nodes
   std::vector<int> Remaining;   ///< multiplicity of each piece that no loop has taken yet
   std::vector<Index> FirstOut, Out, Cursor;
   std::vector<Index> Path;

@@ -1,5 +1,7 @@
 #include "SilhouetteSearch.h"
 
+#include "FacingPlane.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -7,113 +9,125 @@ namespace shadow
 {
 namespace
 {
-template <class IsLit>
-bool isMixed(const TriangleMesh& mesh, const IsLit& isLit, Index triangle)
+/// Whether an edge's pieces cancel wherever all corners at it are lit, and where all are dark.
+bool cancelsUnlessMixed(const SearchedMesh& s, Index edge)
 {
-  const Triangle& n = mesh.cornerNormals[triangle];
-  const bool lit = isLit(n[0]);
-  return lit != isLit(n[1]) || lit != isLit(n[2]);
-}
-
-/// Bytes and no bits: ranges are filled by several threads.
-std::vector<std::uint8_t> findLit(
-  const TriangleMesh& mesh, const LightField& field, const RangeLoop& loop)
-{
-  std::vector<std::uint8_t> lit(
-    field.kind() == FieldKind::Face ? mesh.triangles.size() : mesh.normals.size());
-  loop(lit.size(), lightGrain,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        lit[i] = field.lit(static_cast<Index>(i));
-      }
-    });
-  return lit;
-}
-}
-
-SearchResult searchAll(
-  const SearchedMesh& searched, const Light& light, FieldKind kind, const RangeLoop& loop)
-{
-  const LightField field(searched.mesh, light, kind);
-  const std::vector<std::uint8_t> lit = findLit(searched.mesh, field, loop);
-  const auto isLit = [&](Index item) { return lit[item] != 0; };
-  SearchResult result;
-  if (kind == FieldKind::Face)
+  int lit = 0;
+  int dark = 0;
+  for (Index i = s.edges.firstSide(edge); i < s.edges.firstSide(edge + 1); ++i)
   {
-    result.tested = searched.edges.edges.size();
-    result.edges = selectIndices(result.tested, loop,
-      [&](Index e) { return faceMultiplicity(searched, isLit, e) != 0; });
-    for (const Index e : result.edges)
-    {
-      result.multiplicities.push_back(faceMultiplicity(searched, isLit, e));
-    }
-    return result;
+    const Side side = s.edges.sides[i];
+    const int sign = sideSign(s.mesh, s.edges, edge, side);
+    const ChainWeight weight = s.weights.corner(side / 3);
+    lit += sign * weight.lit;
+    dark += sign * weight.dark;
   }
-  result.tested = searched.mesh.triangles.size() + searched.linkEdges.size();
-  result.triangles = selectIndices(searched.mesh.triangles.size(), loop,
-    [&](Index t) { return isMixed(searched.mesh, isLit, t); });
-  result.edges = searched.linkEdges;
+  return lit == 0 && dark == 0;
+}
+
+/// Of a crease's four fields: those at the ends of its first side, then those of its second.
+Index creaseNormal(const SearchedMesh& s, Index edge, unsigned k)
+{
+  const SideNormals normals =
+    sideNormals(s.mesh, s.edges, edge, s.edges.sides[s.edges.firstSide(edge) + k / 2]);
+  return k % 2 == 0 ? normals.a : normals.b;
+}
+
+SearchResult searchFaces(const SearchedMesh& s, const SearchIndex& index, const Light& light,
+  bool useTree, const RangeLoop& loop)
+{
+  const LightField field(s.mesh, light, FieldKind::Face);
+  FacingFound found = index.items.search(light, useTree,
+    [&](Index e, unsigned k) { return field.lit(s.edges.sides[2 * e + k] / 3); }, loop);
+  SearchResult result;
+  result.tested = found.tested + index.apart.size();
+  result.edges = std::move(found.items);
+  result.multiplicities.resize(result.edges.size());
+  const bool oneKind = s.weights.parts.size() == 1;
+  const bool closed = oneKind && s.weights.parts[0].closed;
+  for (std::size_t i = 0; i < result.edges.size(); ++i)
+  {
+    // The first side runs from a to b. A closed part counts its lit side, any other one both.
+    const int direction = found.lit[i] == 1 ? 1 : -1;
+    const bool once =
+      oneKind ? closed : s.weights.parts[s.weights.part(s.edges.sides[2 * result.edges[i]] / 3)].closed;
+    result.multiplicities[i] = once ? direction : 2 * direction;
+  }
+  // Numbered behind the regular edges.
+  for (const Index e : index.apart)
+  {
+    const int multiplicity =
+      faceMultiplicity(s, [&](Index t) { return field.lit(t); }, e);
+    if (multiplicity != 0)
+    {
+      result.edges.push_back(e);
+      result.multiplicities.push_back(multiplicity);
+    }
+  }
   return result;
 }
 
-SearchTree buildSearchTree(const SearchedMesh& searched, FieldKind kind, const Vec3& centre,
-  double radius, const RangeLoop& loop)
+SearchResult searchCorners(const SearchedMesh& s, const SearchIndex& index, const Light& light,
+  bool useTree, const RangeLoop& loop)
 {
-  SearchItems items = kind == FieldKind::Face
-    ? faceItems(searched.mesh, searched.edges, centre, radius, loop)
-    : cornerItems(searched.mesh, searched.edges, searched.weights, searched.linkEdges, centre,
-        radius, loop);
-  return { FacingHierarchy(items.items, loop), std::move(items.apart) };
+  const LightField field(s.mesh, light, FieldKind::Corner);
+  FacingFound mixed = index.items.search(light, useTree,
+    [&](Index t, unsigned k) { return field.lit(s.mesh.cornerNormals[t][k]); }, loop);
+  const FacingFound creases = index.creases.search(light, useTree,
+    [&](Index i, unsigned k) { return field.lit(creaseNormal(s, index.creaseEdges[i], k)); }, loop);
+  SearchResult result;
+  result.tested = mixed.tested + creases.tested + index.apart.size();
+  result.triangles = std::move(mixed.items);
+  result.litCorners = std::move(mixed.lit);
+  std::vector<Index> links(creases.items.size());
+  std::transform(creases.items.begin(), creases.items.end(), links.begin(),
+    [&](Index i) { return index.creaseEdges[i]; });
+  result.edges.reserve(links.size() + index.apart.size());
+  std::merge(links.begin(), links.end(), index.apart.begin(), index.apart.end(),
+    std::back_inserter(result.edges));
+  return result;
+}
 }
 
-SearchResult searchTree(const SearchedMesh& searched, const SearchTree& tree, const Light& light,
-  FieldKind kind, const RangeLoop& loop)
+std::size_t SearchIndex::memory() const
 {
-  const LightField field(searched.mesh, light, kind);
-  const auto isLit = [&](Index item) { return field.lit(item); };
-  SearchResult result;
-  result.tested = tree.apart.size();
-  const std::vector<Index> candidates = tree.hierarchy.candidates(light, loop, result.tested);
+  return this->items.memory() + this->creases.memory() +
+    (this->creaseEdges.capacity() + this->apart.capacity()) * sizeof(Index);
+}
+
+SearchIndex buildSearchIndex(const SearchedMesh& s, FieldKind kind, const RangeLoop& loop)
+{
+  const Ball ball = s.mesh.ball();
+  SearchIndex index;
+  index.kind = kind;
   if (kind == FieldKind::Face)
   {
-    std::vector<Index> edges(candidates.size() + tree.apart.size());
-    std::merge(candidates.begin(), candidates.end(), tree.apart.begin(), tree.apart.end(),
-      edges.begin());
-    // On a large mesh each edge waits for memory several times.
-    std::vector<int> multiplicities(edges.size());
-    loop(edges.size(), 8 * heavyGrain,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          multiplicities[i] = faceMultiplicity(searched, isLit, edges[i]);
-        }
-      });
-    for (std::size_t i = 0; i < edges.size(); ++i)
+    index.items = FacingHierarchy(2, s.edges.regular, ball, loop,
+      [&](Index e, unsigned k) { return facePlane(s.mesh, s.edges.sides[2 * e + k] / 3, ball); });
+    for (std::size_t e = s.edges.regular; e < s.edges.edges.size(); ++e)
     {
-      if (multiplicities[i] != 0)
-      {
-        result.edges.push_back(edges[i]);
-        result.multiplicities.push_back(multiplicities[i]);
-      }
+      index.apart.push_back(static_cast<Index>(e));
     }
-    return result;
+    return index;
   }
-  // Creases are numbered behind the triangles.
-  const Index triangleCount = static_cast<Index>(searched.mesh.triangles.size());
-  const auto firstCrease = std::lower_bound(candidates.begin(), candidates.end(), triangleCount);
-  std::copy_if(candidates.begin(), firstCrease, std::back_inserter(result.triangles),
-    [&](Index t) { return isMixed(searched.mesh, isLit, t); });
-  std::vector<Index> creases(firstCrease, candidates.end());
-  for (Index& crease : creases)
+  index.items = FacingHierarchy(3, s.mesh.triangles.size(), ball, loop,
+    [&](Index t, unsigned k) { return cornerPlane(s.mesh, s.mesh.cornerNormals[t][k], ball); });
+  for (const Index e : s.linkEdges)
   {
-    crease -= triangleCount;
+    const bool fits = s.edges.sideCount(e) == 2 && cancelsUnlessMixed(s, e);
+    (fits ? index.creaseEdges : index.apart).push_back(e);
   }
-  result.edges.resize(creases.size() + tree.apart.size());
-  std::merge(creases.begin(), creases.end(), tree.apart.begin(), tree.apart.end(),
-    result.edges.begin());
-  return result;
+  index.creases = FacingHierarchy(4, index.creaseEdges.size(), ball, loop,
+    [&](Index i, unsigned k)
+    { return cornerPlane(s.mesh, creaseNormal(s, index.creaseEdges[i], k), ball); });
+  return index;
+}
+
+SearchResult search(const SearchedMesh& searched, const SearchIndex& index, const Light& light,
+  SearchMethod method, const RangeLoop& loop)
+{
+  const bool useTree = method == SearchMethod::Hierarchy;
+  return index.kind == FieldKind::Face ? searchFaces(searched, index, light, useTree, loop)
+                                       : searchCorners(searched, index, light, useTree, loop);
 }
 }

@@ -2,22 +2,22 @@
 #pragma once
 
 #include "ChainWeights.h"
-#include "FacingItems.h"
-#include "RangeLoop.h"
+#include "FacingHierarchy.h"
 
 namespace shadow
 {
 enum class SearchMethod
 {
-  Automatic,  ///< the hierarchy for large meshes whose light moves, else brute force
+  Automatic,  ///< the hierarchy, except on meshes so small that looking at everything is as fast
   BruteForce, ///< looks at everything
   Hierarchy   ///< leaves out what a tree of boxes shows to be all lit or all dark
 };
 
-/// What a search found: the same for every method, up to edges on which all pieces cancel.
+/// What a search found.
 struct SearchResult
 {
   std::vector<Index> triangles; ///< of a corner field, those with lit and dark corners; ascending
+  std::vector<std::uint8_t> litCorners; ///< of each of them, bit k: corner k is lit
   std::vector<Index> edges; ///< of a face field the silhouette, of a corner field the links; ascending
   std::vector<int> multiplicities; ///< of a face field, of each edge from a to b
   std::size_t tested = 0;   ///< triangles and edges that were looked at
@@ -32,29 +32,25 @@ struct SearchedMesh
   const std::vector<Index>& linkEdges;
 };
 
-/// Looks at all triangles or edges. O(triangles).
-SearchResult searchAll(
-  const SearchedMesh& searched, const Light& light, FieldKind kind, const RangeLoop& loop);
-
-/// A hierarchy over all that a kind of field can make a silhouette of, and what it does not hold.
-struct SearchTree
+/// All that a kind of field can make a silhouette of: for faces the regular edges, for corners the
+/// triangles and the creases whose pieces cancel unless they are mixed. What is none of that is kept
+/// apart and looked at for every light.
+struct SearchIndex
 {
-  FacingHierarchy hierarchy;
-  std::vector<Index> apart; ///< edges to look at for every light
+  FieldKind kind;
+  FacingHierarchy items;    ///< regular edges, or triangles
+  FacingHierarchy creases;  ///< of a corner field: creaseEdges
+  std::vector<Index> creaseEdges; ///< ascending
+  std::vector<Index> apart;       ///< edges, ascending
 
-  std::size_t memory() const
-  {
-    return this->hierarchy.memory() + this->apart.capacity() * sizeof(Index);
-  }
+  std::size_t memory() const; ///< bytes
 };
 
-SearchTree buildSearchTree(const SearchedMesh& searched, FieldKind kind, const Vec3& centre,
-  double radius, const RangeLoop& loop);
+SearchIndex buildSearchIndex(const SearchedMesh& searched, FieldKind kind, const RangeLoop& loop);
 
-/// Looks at what the tree cannot leave out, and decides that with the very values that searchAll
-/// has. In proportion to the silhouette, and to the edges apart.
-SearchResult searchTree(const SearchedMesh& searched, const SearchTree& tree, const Light& light,
-  FieldKind kind, const RangeLoop& loop);
+/// By BruteForce or Hierarchy; both find the same: every sign is that of the field in double.
+SearchResult search(const SearchedMesh& searched, const SearchIndex& index, const Light& light,
+  SearchMethod method, const RangeLoop& loop);
 
 /// How often an edge counts, from a to b, in the boundary of the chain of whole faces. isLit(t)
 /// tells whether triangle t is lit.
@@ -62,11 +58,11 @@ template <class IsLit>
 int faceMultiplicity(const SearchedMesh& searched, const IsLit& isLit, Index edge)
 {
   int sum = 0;
-  for (Index i = searched.edges.firstSide[edge]; i < searched.edges.firstSide[edge + 1]; ++i)
+  for (Index i = searched.edges.firstSide(edge); i < searched.edges.firstSide(edge + 1); ++i)
   {
     const Side side = searched.edges.sides[i];
     sum += sideSign(searched.mesh, searched.edges, edge, side) *
-      searched.weights.silhouette(FieldKind::Face, side / 3).of(isLit(side / 3));
+      searched.weights.face(side / 3).of(isLit(side / 3));
   }
   return sum;
 }

@@ -11,24 +11,45 @@ namespace shadow
 CubicCurve contourSegment(
   const Vec3& p0, const Vec3& n0, const Vec3& p1, const Vec3& n1);
 
-/// Splits at the middle until each part's deviation bound is within the tolerance, and calls
-/// emit(s) for each inner breakpoint's parameter, ascending. Gives the largest bound that is left:
-/// above the tolerance only if the curve was split 2^maximumDepth times.
-template <class Emit>
-double subdivide(
-  const CubicCurve& curve, double tolerance, const Emit& emit, double from = 0.0, double to = 1.0,
+/// How far a curve is from its chord, at most.
+struct Deviation
+{
+  double world = 0.0; ///< in space
+  double seen = 0.0;  ///< where it is measured: in space, or on receivers of the shadow
+
+  void include(const Deviation& o)
+  {
+    this->world = std::fmax(this->world, o.world);
+    this->seen = std::fmax(this->seen, o.seen);
+  }
+};
+
+/// When a curve need not be split.
+struct SubdivisionLimit
+{
+  double tolerance; ///< of what is seen
+  double rounding;  ///< in space: what is less is noise of the coordinates
+};
+
+/// Splits at the middle until each part's deviation is within the limit, and calls emit(s) for each
+/// inner breakpoint's parameter, ascending. deviationOf(curve) is the bound on a part's deviation.
+/// Gives the largest that is left: above the limit only if the curve was split 2^maximumDepth times.
+template <class DeviationOf, class Emit>
+Deviation subdivide(const CubicCurve& curve, const SubdivisionLimit& limit,
+  const DeviationOf& deviationOf, const Emit& emit, double from = 0.0, double to = 1.0,
   int depth = 0)
 {
   constexpr int maximumDepth = 16;
-  const double bound = curve.deviationBound();
-  if (!(bound > tolerance) || depth == maximumDepth)
+  Deviation bound = deviationOf(curve);
+  if (!(bound.seen > limit.tolerance && bound.world > limit.rounding) || depth == maximumDepth)
   {
     return bound;
   }
   const auto [first, second] = curve.split(0.5);
   const double middle = 0.5 * (from + to);
-  const double firstBound = subdivide(first, tolerance, emit, from, middle, depth + 1);
+  bound = subdivide(first, limit, deviationOf, emit, from, middle, depth + 1);
   emit(middle);
-  return std::fmax(firstBound, subdivide(second, tolerance, emit, middle, to, depth + 1));
+  bound.include(subdivide(second, limit, deviationOf, emit, middle, to, depth + 1));
+  return bound;
 }
 }

@@ -37,8 +37,8 @@ void estimateCornerNormals(TriangleMesh& mesh, const EdgeTable& edges, double fe
     {
       continue;
     }
-    const Side s0 = edges.sides[edges.firstSide[e]];
-    const Side s1 = edges.sides[edges.firstSide[e] + 1];
+    const Side s0 = edges.sides[edges.firstSide(e)];
+    const Side s1 = edges.sides[edges.firstSide(e) + 1];
     if (sideSign(mesh, edges, e, s0) == sideSign(mesh, edges, e, s1) ||
       !isSmooth(mesh.areaNormal(s0 / 3), mesh.areaNormal(s1 / 3), cosine))
     {

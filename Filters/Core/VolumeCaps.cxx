@@ -28,7 +28,7 @@ public:
     for (std::size_t i = 0; i < this->Mesh.triangles.size(); ++i)
     {
       const Index t = static_cast<Index>(i);
-      const ChainWeight weight = weights.cap(kind, t, onDarkField[weights.part[t]]);
+      const ChainWeight weight = weights.cap(kind, t, onDarkField[weights.part(t)]);
       if (!crossed[t])
       {
         this->addTriangle(this->Mesh.triangles[t], weight.of(this->litAt(t, 0)));
@@ -54,9 +54,10 @@ private:
   std::vector<bool> trianglesAtCrossedEdges() const
   {
     std::vector<bool> crossed(this->Mesh.triangles.size(), false);
-    for (const Index e : this->Chain.crossedEdges)
+    for (const Crossing& c : this->Chain.crossings)
     {
-      for (Index i = this->Edges.firstSide[e]; i < this->Edges.firstSide[e + 1]; ++i)
+      const Index e = c.edge;
+      for (Index i = this->Edges.firstSide(e); i < this->Edges.firstSide(e + 1); ++i)
       {
         crossed[this->Edges.sides[i] / 3] = true;
       }
@@ -86,7 +87,7 @@ private:
     const Side side = 3 * t + k;
     const auto [first, end] = this->Chain.crossingsOn(e);
     const Index own =
-      this->Chain.crossingOf(e, sideNormals(this->Mesh, this->Edges, e, side));
+      this->Chain.crossingOf(this->TheCaster, e, sideNormals(this->Mesh, this->Edges, e, side));
     const bool forward = sideSign(this->Mesh, this->Edges, e, side) > 0;
     bool inside = this->litAt(t, k) == lit;
     for (Index i = first; i < end; ++i)

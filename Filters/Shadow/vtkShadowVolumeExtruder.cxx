@@ -32,7 +32,7 @@ shadow::SilhouetteInput discreteSilhouette(
 {
   const shadow::SilhouetteLoops loops = shadow::traceLoops(chain.pieces);
   assert(loops.balanced); // a boundary always is
-  return toInput(loops, shadow::makePolylines(caster, chain, loops, 0.0, smpRangeLoop));
+  return toInput(caster, chain, loops);
 }
 }
 
@@ -91,7 +91,7 @@ int vtkShadowVolumeExtruder::RequestData(
   {
     silhouette = discreteSilhouette(caster, *chain);
   }
-  else if (!readSilhouette(given, silhouette) || !shadow::matches(silhouette, caster, *chain))
+  else if (!readSilhouette(given, caster, *chain, silhouette) || !shadow::matches(silhouette, caster, *chain))
   {
     vtkErrorMacro("The silhouette on port 1 is not that of the mesh on port 0, which has "
       << input->GetNumberOfCells()

@@ -5,20 +5,65 @@
 #include "SMPRangeLoop.h"
 #include "SilhouetteData.h"
 
+#include "vtkAlgorithmOutput.h"
+#include "vtkBoundingBox.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
 
+namespace
+{
+/// Of all inputs of a port.
+vtkBoundingBox boundsOf(vtkInformationVector* inputs)
+{
+  vtkBoundingBox bounds;
+  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
+  {
+    if (vtkDataSet* receiver = vtkDataSet::GetData(inputs, i))
+    {
+      bounds.AddBounds(receiver->GetBounds());
+    }
+  }
+  return bounds;
+}
+}
+
 vtkStandardNewMacro(vtkSmoothLightSilhouette);
 
 vtkSmoothLightSilhouette::vtkSmoothLightSilhouette()
   : Cache(std::make_unique<CasterCache>())
 {
+  this->SetNumberOfInputPorts(2);
 }
 
 vtkSmoothLightSilhouette::~vtkSmoothLightSilhouette() = default;
+
+void vtkSmoothLightSilhouette::SetReceiverConnection(vtkAlgorithmOutput* receivers)
+{
+  this->SetInputConnection(1, receivers);
+}
+
+void vtkSmoothLightSilhouette::AddReceiverConnection(vtkAlgorithmOutput* receivers)
+{
+  this->AddInputConnection(1, receivers);
+}
+
+int vtkSmoothLightSilhouette::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  return 1;
+}
 
 int vtkSmoothLightSilhouette::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
@@ -46,9 +91,16 @@ int vtkSmoothLightSilhouette::RequestData(
     return 0;
   }
 
+  const vtkBoundingBox receivers =
+    this->ToleranceMode == RECEIVER ? boundsOf(inputVector[1]) : vtkBoundingBox();
+  if (this->ToleranceMode == RECEIVER && !receivers.IsValid())
+  {
+    vtkErrorMacro("ToleranceMode RECEIVER needs receivers with points on port 1: connect some, or "
+                  "take WORLD or RELATIVE.");
+    return 0;
+  }
+
   PreparedCaster& prepared = this->Cache->get(input, settings.caster);
-  const double unit =
-    this->ToleranceMode == RELATIVE ? 2.0 * prepared.caster.radius() : 1.0;
   const auto chain = prepared.caster.silhouette(settings.light, settings.kind,
     static_cast<shadow::SearchMethod>(this->Search), smpRangeLoop);
   const shadow::SilhouetteLoops loops = shadow::traceLoops(chain->pieces);
@@ -58,9 +110,14 @@ int vtkSmoothLightSilhouette::RequestData(
                                        << " cells is not closed; please report this mesh.");
     return 0;
   }
-  const shadow::LoopPolylines lines = shadow::makePolylines(
-    prepared.caster, *chain, loops, this->Tolerance * unit, smpRangeLoop);
-  writeSilhouette(prepared, *chain, loops, lines, settings, output);
+  const double unit = this->ToleranceMode == RELATIVE ? 2.0 * prepared.caster.radius() : 1.0;
+  const double* least = receivers.GetMinPoint();
+  const double* most = receivers.GetMaxPoint();
+  const shadow::ShadowReceiver receiver(settings.light,
+    shadow::Vec3(least[0], least[1], least[2]), shadow::Vec3(most[0], most[1], most[2]));
+  writeSilhouette(prepared, *chain, loops,
+    { this->Tolerance * unit, this->ToleranceMode == RECEIVER ? &receiver : nullptr }, settings,
+    output);
   return 1;
 }
 

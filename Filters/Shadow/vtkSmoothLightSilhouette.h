@@ -23,11 +23,12 @@
  *
  * Output: polylines, one cell a loop; a loop repeats its first point id at its end.
  * - PointData `Normals` (3, double, unit), `MeshPoints` (3, double: the point on the mesh that
- *   belongs to it), `MeshNodes` (vtkIdType: number of the point in the mesh's numbering of
- *   vertices and crossings, -1 between these; vtkShadowVolumeExtruder needs it).
+ *   belongs to it), `MeshNodes` (vtkIdType: a number of the vertex or the crossing of the
+ *   mesh, -1 between these; vtkShadowVolumeExtruder needs it).
  * - CellData `Kind` (0 contour, 1 crease, 2 border, 3 mixed), `Closed` (always 1), `Multiplicity`.
  * - FieldData `LightPosition` (4), `MaximumDeviation` (world units: no point of a polyline's curve
- *   is farther than this from the polyline), `SilhouetteKind`, `EdgesTested` (how many edges, or
+ *   is farther than this from the polyline), `MaximumShadowDeviation` (with ToleranceMode RECEIVER:
+ *   the same of the shadows on the receivers' bounds), `SilhouetteKind`, `EdgesTested` (how many edges, or
  *   triangles and creases, the search looked at), `SearchComplete`, `MergePoints`, `FeatureAngle`,
  *   and what was found in the mesh: `DegenerateCells`, `NonFiniteCells`, `BoundaryEdges`,
  *   `NonManifoldEdges`, `InconsistentEdges`, `EstimatedNormals` (corner normals that the mesh did
@@ -37,7 +38,8 @@
  * What depends on the mesh alone is kept until the mesh is modified: a moved light pays for its
  * silhouette only.
  *
- * Errors: a light that is not finite or is all zero gives vtkErrorMacro and no output. Cells with
+ * Errors: a light that is not finite or is all zero gives vtkErrorMacro and no output, as does
+ * ToleranceMode RECEIVER without receivers. Cells with
  * non-finite points, or with points that do not exist, are left out and counted as
  * `NonFiniteCells`; `DegenerateCells` counts triangles with two equal corners. Normals are taken at
  * unit length; where they are zero or not finite they are estimated. An empty mesh gives an empty
@@ -78,8 +80,16 @@ public:
   enum ToleranceModes
   {
     RELATIVE = 0,
-    WORLD = 1
+    WORLD = 1,
+    RECEIVER = 2
   };
+
+  /**
+   * Takes receivers from a filter's output (port 1, optional, any data with bounds; several may be
+   * added). They count only for ToleranceMode RECEIVER.
+   */
+  void SetReceiverConnection(vtkAlgorithmOutput* receivers);
+  void AddReceiverConnection(vtkAlgorithmOutput* receivers);
 
   ///@{
   /**
@@ -104,10 +114,9 @@ public:
   ///@{
   /**
    * How the silhouette is searched for; what is found is the same, bit for bit. BRUTE_FORCE looks
-   * at the whole mesh. HIERARCHY keeps a tree of boxes with the mesh and looks only at what the
-   * tree cannot show to be all lit or all dark; the first update pays for the tree. AUTOMATIC takes
-   * the hierarchy on large meshes from the second light on that an unmodified mesh is given, so a
-   * mesh that is modified each time never pays for a tree. Default AUTOMATIC.
+   * at the whole mesh. HIERARCHY looks only at what a tree of boxes over the mesh cannot show to be
+   * all lit or all dark. What either needs is made with the first update. AUTOMATIC takes the
+   * hierarchy, except on meshes of less than 2,000 triangles. Default AUTOMATIC.
    */
   vtkSetClampMacro(Search, int, AUTOMATIC, HIERARCHY);
   vtkGetMacro(Search, int);
@@ -118,16 +127,21 @@ public:
 
   ///@{
   /**
-   * The farthest that SMOOTH's polyline may be from its curve, as a share of the diagonal of the
-   * mesh's bounds (RELATIVE) or in world units (WORLD). The other kinds are polylines in
-   * themselves. Default 1e-4, RELATIVE.
+   * The farthest that SMOOTH's polyline may be from its curve: as a share of the diagonal of the
+   * mesh's bounds (RELATIVE), in world units (WORLD), or in world units where it is seen, from the
+   * shadow of its curve on the receivers of port 1 (RECEIVER). These are taken by the bounds of them
+   * all: a shadow is measured on the face through which its ray leaves the bounds, at the slant at
+   * which it meets it. That is exact for a receiver that is flat and along the axes; a surface inside
+   * of the bounds may lie at a sharper angle to the light. Parts whose shadow misses the bounds are
+   * not subdivided. The other kinds are polylines in themselves. Default 1e-4, RELATIVE.
    */
   vtkSetClampMacro(Tolerance, double, 1e-12, VTK_DOUBLE_MAX);
   vtkGetMacro(Tolerance, double);
-  vtkSetClampMacro(ToleranceMode, int, RELATIVE, WORLD);
+  vtkSetClampMacro(ToleranceMode, int, RELATIVE, RECEIVER);
   vtkGetMacro(ToleranceMode, int);
   void SetToleranceModeToRelative() { this->SetToleranceMode(RELATIVE); }
   void SetToleranceModeToWorld() { this->SetToleranceMode(WORLD); }
+  void SetToleranceModeToReceiver() { this->SetToleranceMode(RECEIVER); }
   ///@}
 
   ///@{
@@ -162,6 +176,7 @@ protected:
   vtkSmoothLightSilhouette();
   ~vtkSmoothLightSilhouette() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -21,7 +21,7 @@ ChainWeights weightsOf(TriangleMesh& mesh, bool turnNormals = false)
 
 ChainWeight capOf(const ChainWeights& weights, FieldKind kind, CapSide side, Index triangle)
 {
-  return weights.cap(kind, triangle, weights.capsOnDarkField(kind, side)[weights.part[triangle]]);
+  return weights.cap(kind, triangle, weights.capsOnDarkField(kind, side)[weights.part(triangle)]);
 }
 
 void expectWeight(const ChainWeight& weight, int lit, int dark)
@@ -77,8 +77,8 @@ TEST(ChainWeights, OpenPartsCountBothSides)
   mesh.points.insert(mesh.points.end(), second.points.begin(), second.points.end());
   const ChainWeights weights = weightsOf(mesh);
   ASSERT_EQ(weights.parts.size(), 2u);
-  EXPECT_TRUE(weights.parts[weights.part[0]].closed);
-  EXPECT_FALSE(weights.parts[weights.part[12]].closed);
+  EXPECT_TRUE(weights.parts[weights.part(0)].closed);
+  EXPECT_FALSE(weights.parts[weights.part(12)].closed);
   expectWeight(weights.silhouette(FieldKind::Face, 0), 1, 0);
   expectWeight(weights.silhouette(FieldKind::Face, 12), 1, -1);
   expectWeight(capOf(weights, FieldKind::Face, CapSide::Dark, 12), 1, -1);

@@ -66,12 +66,24 @@ TEST(SmoothContour, SegmentKeepsACirclesArc)
 
 TEST(SmoothContour, SubdivisionIsWithinItsTolerance)
 {
+  const auto inSpace = [](const CubicCurve& c)
+  { return Deviation{ c.deviationBound(), 2.0 * c.deviationBound() }; };
   std::vector<double> breaks;
-  const double bound = subdivide(Bent, 1e-3, [&](double s) { breaks.push_back(s); });
-  EXPECT_LE(bound, 1e-3);
+  const auto listBreak = [&](double s) { breaks.push_back(s); };
+  const Deviation bound = subdivide(Bent, { 1e-3, 0.0 }, inSpace, listBreak);
+  EXPECT_LE(bound.seen, 1e-3);
+  EXPECT_EQ(bound.world, 0.5 * bound.seen);
   EXPECT_GT(breaks.size(), 10u);
   EXPECT_TRUE(std::is_sorted(breaks.begin(), breaks.end()));
-  EXPECT_EQ(subdivide(CubicCurve::line(Vec3(0.0), Vec3(1.0)), 1e-12, [&](double) { FAIL(); }) < 1e-12, true);
+  const std::size_t fine = breaks.size();
+  breaks.clear();
+  EXPECT_LE(subdivide(Bent, { 0.0, 1e-2 }, inSpace, listBreak).world, 1e-2);
+  EXPECT_LT(breaks.size(), fine);
+  breaks.clear();
+  EXPECT_LT(
+    subdivide(CubicCurve::line(Vec3(0.0), Vec3(1.0)), { 1e-12, 0.0 }, inSpace, listBreak).seen,
+    1e-12);
+  EXPECT_TRUE(breaks.empty());
 }
 
 TEST(SmoothContour, SegmentsWithoutLengthOrTangentAreFinite)

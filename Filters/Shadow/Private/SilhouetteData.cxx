@@ -27,19 +27,20 @@ enum LoopKind
   Mixed = 3
 };
 
-vtkSmartPointer<vtkDoubleArray> vectorArray(
-  const char* name, const std::vector<shadow::Vec3>& vectors)
+static_assert(sizeof(shadow::Vec3) == 3 * sizeof(double), "written as an array of doubles");
+
+vtkSmartPointer<vtkDoubleArray> vectorArray(const char* name, std::size_t count)
 {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name);
   array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(vectors.size()));
-  static_assert(sizeof(shadow::Vec3) == 3 * sizeof(double), "copied as an array of doubles");
-  if (!vectors.empty())
-  {
-    std::copy_n(&vectors[0].x, 3 * vectors.size(), array->GetPointer(0));
-  }
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
   return array;
+}
+
+shadow::Vec3* vectorsOf(vtkDoubleArray* array)
+{
+  return reinterpret_cast<shadow::Vec3*>(array->GetPointer(0));
 }
 
 vtkSmartPointer<vtkIntArray> intArray(const char* name, vtkIdType count)
@@ -76,7 +77,7 @@ int pieceKind(const shadow::Caster& caster, const shadow::Piece& piece)
   {
     return Contour;
   }
-  switch (shadow::edgeKind(caster.mesh(), caster.edges(), piece.source))
+  switch (caster.edgeKind(piece.source))
   {
     case shadow::EdgeKind::Crease:
       return Crease;
@@ -87,6 +88,21 @@ int pieceKind(const shadow::Caster& caster, const shadow::Piece& piece)
   }
 }
 
+int loopKind(const shadow::Caster& caster, const shadow::SilhouetteChain& chain,
+  const shadow::SilhouetteLoops& loops, std::size_t loop)
+{
+  if (caster.hasPlainEdgesOnly())
+  {
+    return Contour;
+  }
+  int kind = pieceKind(caster, chain.pieces[loops.pieces[loops.first[loop]]]);
+  for (std::size_t i = loops.first[loop] + 1; i < loops.first[loop + 1] && kind != Mixed; ++i)
+  {
+    kind = kind == pieceKind(caster, chain.pieces[loops.pieces[i]]) ? kind : Mixed;
+  }
+  return kind;
+}
+
 void writeLoops(const shadow::Caster& caster, const shadow::SilhouetteChain& chain,
   const shadow::SilhouetteLoops& loops, const shadow::LoopPolylines& lines, vtkPolyData* output)
 {
@@ -94,7 +110,7 @@ void writeLoops(const shadow::Caster& caster, const shadow::SilhouetteChain& cha
   vtkNew<vtkIdTypeArray> offsets;
   offsets->SetNumberOfValues(count + 1);
   vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(lines.points.size()) + count);
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(lines.nodes.size()) + count);
   const auto kinds = intArray("Kind", count);
   const auto closed = intArray("Closed", count);
   const auto multiplicities = intArray("Multiplicity", count);
@@ -108,12 +124,7 @@ void writeLoops(const shadow::Caster& caster, const shadow::SilhouetteChain& cha
     std::iota(next, next + (end - begin), begin);
     next += end - begin;
     *next++ = begin;
-    int kind = pieceKind(caster, chain.pieces[loops.pieces[loops.first[loop]]]);
-    for (std::size_t i = loops.first[loop] + 1; i < loops.first[loop + 1]; ++i)
-    {
-      kind = kind == pieceKind(caster, chain.pieces[loops.pieces[i]]) ? kind : Mixed;
-    }
-    kinds->SetValue(cell, kind);
+    kinds->SetValue(cell, loopKind(caster, chain, loops, loop));
     closed->SetValue(cell, 1);
     multiplicities->SetValue(cell, loops.multiplicity[loop]);
   }
@@ -160,26 +171,53 @@ double fieldValue(vtkPolyData* data, const char* name, int component, bool& foun
 }
 
 void writeSilhouette(const PreparedCaster& prepared, const shadow::SilhouetteChain& chain,
-  const shadow::SilhouetteLoops& loops, const shadow::LoopPolylines& lines,
+  const shadow::SilhouetteLoops& loops, const shadow::PolylineTolerance& tolerance,
   const SilhouetteSettings& settings, vtkPolyData* output)
 {
-  vtkNew<vtkPoints> points;
-  points->SetData(vectorArray("Points", lines.points));
-  output->SetPoints(points);
-  output->GetPointData()->SetNormals(vectorArray("Normals", lines.normals));
-  output->GetPointData()->AddArray(vectorArray("MeshPoints", lines.meshPoints));
+  vtkSmartPointer<vtkDoubleArray> points;
+  vtkSmartPointer<vtkDoubleArray> meshPoints;
+  vtkSmartPointer<vtkDoubleArray> normals;
+  const bool smooth = settings.kind == shadow::SilhouetteKind::Smooth;
+  const shadow::LoopPolylines lines = shadow::makePolylines(prepared.caster, chain, loops,
+    tolerance, smpRangeLoop,
+    [&](std::size_t count)
+    {
+      points = vectorArray("Points", count);
+      meshPoints = vectorArray("MeshPoints", smooth ? count : 0);
+      normals = vectorArray("Normals", count);
+      return shadow::PolylineArrays{ vectorsOf(points), smooth ? vectorsOf(meshPoints) : nullptr,
+        vectorsOf(normals) };
+    });
+  if (!smooth)
+  {
+    meshPoints->ShallowCopy(points); // the silhouette is on the mesh
+    meshPoints->SetName("MeshPoints");
+  }
+  vtkNew<vtkPoints> places;
+  places->SetData(points);
+  output->SetPoints(places);
+  output->GetPointData()->SetNormals(normals);
+  output->GetPointData()->AddArray(meshPoints);
   vtkNew<vtkIdTypeArray> nodes;
   nodes->SetName("MeshNodes");
   nodes->SetNumberOfValues(static_cast<vtkIdType>(lines.nodes.size()));
   std::transform(lines.nodes.begin(), lines.nodes.end(), nodes->GetPointer(0),
-    [](shadow::Index node)
-    { return node == shadow::None ? vtkIdType(-1) : static_cast<vtkIdType>(node); });
+    [&](shadow::Index node)
+    {
+      return node == shadow::None
+        ? vtkIdType(-1)
+        : static_cast<vtkIdType>(shadow::nodeNumber(prepared.caster, chain, node));
+    });
   output->GetPointData()->AddArray(nodes);
   writeLoops(prepared.caster, chain, loops, lines, output);
 
   const std::array<double, 4>& l = settings.lightPosition;
   addField<vtkDoubleArray>(output, "LightPosition", { l[0], l[1], l[2], l[3] });
-  addField<vtkDoubleArray>(output, "MaximumDeviation", { lines.maximumDeviation });
+  addField<vtkDoubleArray>(output, "MaximumDeviation", { lines.deviation.world });
+  if (tolerance.receiver)
+  {
+    addField<vtkDoubleArray>(output, "MaximumShadowDeviation", { lines.deviation.seen });
+  }
   addField<vtkIntArray>(output, "SilhouetteKind", { static_cast<int>(settings.kind) });
   addField<vtkIntArray>(output, "SearchComplete", { 1 });
   addCount(output, "EdgesTested", chain.itemsTested);
@@ -205,7 +243,8 @@ bool readSettings(vtkPolyData* data, SilhouetteSettings& settings)
     readLight(settings.lightPosition.data(), settings.light);
 }
 
-bool readSilhouette(vtkPolyData* data, shadow::SilhouetteInput& silhouette)
+bool readSilhouette(vtkPolyData* data, const shadow::Caster& caster,
+  const shadow::SilhouetteChain& chain, shadow::SilhouetteInput& silhouette)
 {
   silhouette.first.push_back(0);
   const vtkIdType count = data->GetNumberOfPoints();
@@ -234,7 +273,13 @@ bool readSilhouette(vtkPolyData* data, shadow::SilhouetteInput& silhouette)
     {
       return false;
     }
-    silhouette.nodes[i] = node < 0.0 ? shadow::None : static_cast<shadow::Index>(node);
+    silhouette.nodes[i] = node < 0.0
+      ? shadow::None
+      : shadow::nodeOfNumber(caster, chain, static_cast<shadow::Index>(node));
+    if (node >= 0.0 && silhouette.nodes[i] == shadow::None)
+    {
+      return false;
+    }
   }
   for (vtkIdType cell = 0; cell < data->GetLines()->GetNumberOfCells(); ++cell)
   {
@@ -260,18 +305,21 @@ bool readSilhouette(vtkPolyData* data, shadow::SilhouetteInput& silhouette)
   return true;
 }
 
-shadow::SilhouetteInput toInput(
-  const shadow::SilhouetteLoops& loops, const shadow::LoopPolylines& lines)
+shadow::SilhouetteInput toInput(const shadow::Caster& caster, const shadow::SilhouetteChain& chain,
+  const shadow::SilhouetteLoops& loops)
 {
   shadow::SilhouetteInput input;
-  input.points = lines.points;
-  input.meshPoints = lines.meshPoints;
-  input.nodes = lines.nodes;
-  input.first = lines.first;
+  shadow::LoopPolylines lines = shadow::makePolylines(caster, chain, loops, {}, smpRangeLoop,
+    [&](std::size_t count)
+    {
+      input.points.resize(count);
+      input.meshPoints.resize(count);
+      return shadow::PolylineArrays{ input.points.data(), input.meshPoints.data(), nullptr };
+    });
+  input.nodes = std::move(lines.nodes);
+  input.first = std::move(lines.first);
   input.multiplicity = loops.multiplicity;
-  for (std::size_t i = 0; i < lines.points.size(); ++i)
-  {
-    input.loopPoints.push_back(static_cast<shadow::Index>(i));
-  }
+  input.loopPoints.resize(input.points.size());
+  std::iota(input.loopPoints.begin(), input.loopPoints.end(), shadow::Index(0));
   return input;
 }

@@ -17,17 +17,22 @@ struct SilhouetteSettings
   CasterSettings caster;
 };
 
-// Writes polylines with all arrays that vtkSmoothLightSilhouette documents.
+// Makes polylines of the loops and writes them with all arrays that vtkSmoothLightSilhouette
+// documents.
 void writeSilhouette(const PreparedCaster& prepared, const shadow::SilhouetteChain& chain,
-  const shadow::SilhouetteLoops& loops, const shadow::LoopPolylines& lines,
+  const shadow::SilhouetteLoops& loops, const shadow::PolylineTolerance& tolerance,
   const SilhouetteSettings& settings, vtkPolyData* output);
 
 // False if the data lack what vtkSmoothLightSilhouette writes.
 bool readSettings(vtkPolyData* data, SilhouetteSettings& settings);
-bool readSilhouette(vtkPolyData* data, shadow::SilhouetteInput& silhouette);
 
-// The silhouette that has just been made, without a detour over vtkPolyData.
+// False if the data are not of this shape, or have nodes that the chain has not.
+bool readSilhouette(vtkPolyData* data, const shadow::Caster& caster,
+  const shadow::SilhouetteChain& chain, shadow::SilhouetteInput& silhouette);
+
+// The silhouette of the chain itself, without a detour over vtkPolyData.
 shadow::SilhouetteInput toInput(
-  const shadow::SilhouetteLoops& loops, const shadow::LoopPolylines& lines);
+  const shadow::Caster& caster, const shadow::SilhouetteChain& chain,
+  const shadow::SilhouetteLoops& loops);
 
 #endif
