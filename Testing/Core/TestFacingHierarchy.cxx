@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
 #include <random>
 
 using namespace shadow;
@@ -19,6 +21,8 @@ struct Sphere
     : TheBall{ centre, 1.0 }
     , Items(count > Apart ? count - Apart : 0)
   {
+    this->Order.resize(this->Items);
+    std::iota(this->Order.begin(), this->Order.end(), std::size_t(0));
     for (std::size_t i = 0; i < count; ++i)
     {
       const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(count);
@@ -26,14 +30,24 @@ struct Sphere
       const double r = std::sqrt(1.0 - z * z);
       this->Normals.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
     }
+    // What faces alike is to be side by side: by the cells of a grid.
+    const auto cell = [&](std::size_t i)
+    {
+      const Vec3 c = glm::floor(8.0 * this->Normals[i]);
+      return (c.z * 64.0 + c.y) * 64.0 + c.x;
+    };
+    std::stable_sort(this->Order.begin(), this->Order.end(),
+      [&](std::size_t l, std::size_t r) { return cell(l) < cell(r); });
   }
+
+  std::size_t fieldOf(std::size_t item, unsigned k) const { return this->Order[item] + k * Apart; }
 
   FacingHierarchy tree() const
   {
     return FacingHierarchy(2, this->Items, this->TheBall, serialLoop,
       [&](std::size_t item, unsigned k)
       {
-        const std::size_t i = item + k * Apart;
+        const std::size_t i = this->fieldOf(item, k);
         return i == this->Unknown
           ? Vec4(0.0)
           : facingPlane(this->Normals[i], this->point(i), this->TheBall);
@@ -43,8 +57,8 @@ struct Sphere
   FacingFound search(const FacingHierarchy& tree, const Light& light, bool useTree) const
   {
     return tree.search(
-      light, useTree, [&](Index item, unsigned k) { return this->lit(item + k * Apart, light); },
-      serialLoop);
+      light, useTree,
+      [&](Index item, unsigned k) { return this->lit(this->fieldOf(item, k), light); }, serialLoop);
   }
 
   Vec3 point(std::size_t i) const { return this->TheBall.centre + this->Normals[i]; }
@@ -60,8 +74,8 @@ struct Sphere
     std::size_t next = 0;
     for (std::size_t i = 0; i < this->Items; ++i)
     {
-      const bool first = this->lit(i, light);
-      const bool second = this->lit(i + Apart, light);
+      const bool first = this->lit(this->fieldOf(i, 0), light);
+      const bool second = this->lit(this->fieldOf(i, 1), light);
       if (first != second)
       {
         EXPECT_LT(next, found.items.size());
@@ -82,6 +96,7 @@ struct Sphere
   std::size_t Items;
   std::size_t Unknown = std::size_t(-1); ///< the point whose plane is not known
   std::vector<Vec3> Normals;
+  std::vector<std::size_t> Order; ///< the first point of each item
 };
 
 std::vector<Light> someLights(const Vec3& centre)
