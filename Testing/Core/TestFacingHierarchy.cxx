@@ -33,7 +33,7 @@ struct Sphere
     // What faces alike is to be side by side: by the cells of a grid.
     const auto cell = [&](std::size_t i)
     {
-      const Vec3 c = glm::floor(8.0 * this->Normals[i]);
+      const Vec3 c = glm::floor(16.0 * this->Normals[i]);
       return (c.z * 64.0 + c.y) * 64.0 + c.x;
     };
     std::stable_sort(this->Order.begin(), this->Order.end(),
