@@ -30,11 +30,19 @@ struct Sphere
       const double r = std::sqrt(1.0 - z * z);
       this->Normals.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
     }
-    // What faces alike is to be side by side: by the cells of a grid.
+    // What faces alike is to be side by side: by the cells of an octree.
     const auto cell = [&](std::size_t i)
     {
-      const Vec3 c = glm::floor(16.0 * this->Normals[i]);
-      return (c.z * 64.0 + c.y) * 64.0 + c.x;
+      unsigned code = 0;
+      for (int level = 0; level < 5; ++level)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          const double at = std::ldexp(this->Normals[i][k] + 1.0, level);
+          code = 2 * code + (static_cast<unsigned>(at) & 1u);
+        }
+      }
+      return code;
     };
     std::stable_sort(this->Order.begin(), this->Order.end(),
       [&](std::size_t l, std::size_t r) { return cell(l) < cell(r); });
