@@ -39,8 +39,8 @@ Caster::Caster(TriangleMesh mesh, double featureAngle, const RangeLoop& loop)
   orderEdges(this->Mesh, this->Edges, loop);
   this->Weights = findChainWeights(this->Mesh, this->Edges);
   this->Defects = countEdgeDefects(this->Mesh, this->Edges);
-  this->LinkEdges = findLinkEdges(this->Mesh, this->Edges, this->Weights);
   this->EdgeKinds = findEdgeKinds(this->Mesh, this->Edges);
+  this->LinkEdges = findLinkEdges(this->Mesh, this->Edges, this->Weights, this->EdgeKinds);
   this->TheBall = this->Mesh.ball();
 }
 

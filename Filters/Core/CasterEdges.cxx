@@ -28,13 +28,6 @@ bool piecesCancel(const TriangleMesh& mesh, const EdgeTable& edges, const ChainW
 }
 }
 
-SideNormals sideNormals(const TriangleMesh& mesh, const EdgeTable& edges, Index edge, Side side)
-{
-  const Triangle& normals = mesh.cornerNormals[side / 3];
-  const SideNormals along{ normals[side % 3], normals[next(side % 3)] };
-  return sideSign(mesh, edges, edge, side) > 0 ? along : SideNormals{ along.b, along.a };
-}
-
 std::vector<SideNormals> distinctNormals(
   const TriangleMesh& mesh, const EdgeTable& edges, Index edge)
 {
@@ -82,7 +75,7 @@ std::vector<EdgeKind> findEdgeKinds(const TriangleMesh& mesh, const EdgeTable& e
 EdgeDefects countEdgeDefects(const TriangleMesh& mesh, const EdgeTable& edges)
 {
   EdgeDefects defects;
-  for (std::size_t i = 0; i < edges.edges.size(); ++i)
+  for (std::size_t i = edges.regular; i < edges.edges.size(); ++i)
   {
     const Index e = static_cast<Index>(i);
     const Index sides = edges.sideCount(e);
@@ -93,14 +86,21 @@ EdgeDefects countEdgeDefects(const TriangleMesh& mesh, const EdgeTable& edges)
   return defects;
 }
 
-std::vector<Index> findLinkEdges(
-  const TriangleMesh& mesh, const EdgeTable& edges, const ChainWeights& weights)
+std::vector<Index> findLinkEdges(const TriangleMesh& mesh, const EdgeTable& edges,
+  const ChainWeights& weights, const std::vector<EdgeKind>& kinds)
 {
   std::vector<Index> found;
+  // Sides with the same normals cancel at a regular edge if they are weighed alike.
+  const bool alike = weights.agreeing.empty();
+  if (kinds.empty() && alike && edges.regular == edges.edges.size())
+  {
+    return found;
+  }
   for (std::size_t i = 0; i < edges.edges.size(); ++i)
   {
     const Index e = static_cast<Index>(i);
-    if (!piecesCancel(mesh, edges, weights, e))
+    const bool isPlain = kinds.empty() || kinds[e] == EdgeKind::Plain;
+    if (!(alike && isPlain && edges.isRegular(e)) && !piecesCancel(mesh, edges, weights, e))
     {
       found.push_back(e);
     }

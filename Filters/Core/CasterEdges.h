@@ -14,8 +14,13 @@ struct SideNormals
   bool operator==(const SideNormals& o) const { return this->a == o.a && this->b == o.b; }
 };
 
-SideNormals sideNormals(
-  const TriangleMesh& mesh, const EdgeTable& edges, Index edge, Side side);
+inline SideNormals sideNormals(
+  const TriangleMesh& mesh, const EdgeTable& edges, Index edge, Side side)
+{
+  const Triangle& normals = mesh.cornerNormals[side / 3];
+  const SideNormals along{ normals[side % 3], normals[next(side % 3)] };
+  return sideSign(mesh, edges, edge, side) > 0 ? along : SideNormals{ along.b, along.a };
+}
 
 /// The distinct normals of an edge's sides, in order of the sides.
 std::vector<SideNormals> distinctNormals(
@@ -44,7 +49,7 @@ struct EdgeDefects
 EdgeDefects countEdgeDefects(const TriangleMesh& mesh, const EdgeTable& edges);
 
 /// The edges on which pieces of a corner field's silhouette can lie. On all others the pieces of
-/// the two sides cancel for every light.
-std::vector<Index> findLinkEdges(
-  const TriangleMesh& mesh, const EdgeTable& edges, const ChainWeights& weights);
+/// the two sides cancel for every light. Takes what findEdgeKinds gives.
+std::vector<Index> findLinkEdges(const TriangleMesh& mesh, const EdgeTable& edges,
+  const ChainWeights& weights, const std::vector<EdgeKind>& kinds);
 }

@@ -55,7 +55,7 @@ struct CubicCurve
   {
     const Vec3 d1 = b[1] - (2.0 * b[0] + b[3]) / 3.0;
     const Vec3 d2 = b[2] - (b[0] + 2.0 * b[3]) / 3.0;
-    return 0.75 * std::fmax(glm::length(d1), glm::length(d2));
+    return 0.75 * std::sqrt(std::max(glm::dot(d1, d1), glm::dot(d2, d2)));
   }
 };
 }

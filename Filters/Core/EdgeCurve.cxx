@@ -163,8 +163,8 @@ Vec4 heightPolynomial(const EdgeCurve& c)
 }
 
 /// In the curve's frame, with the light at R from the end a, the field is
-/// Rz - w z(s) - z'(s)/L (Rx - w L s) - across(s) Ry: a quartic. Newton's steps that leave the
-/// bracket are replaced by halving it.
+/// Rz - w z(s) - z'(s)/L (Rx - w L s) - across(s) Ry: a quartic. Where Halley's steps do not come to
+/// an end Newton's are taken within a bracket, which is halved where they leave it.
 double solveOnSurface(const EdgeCurve& c, const Vec3& normalA, const Vec3& normalB, double fieldA,
   double fieldB, const Light& light)
 {
@@ -178,20 +178,45 @@ double solveOnSurface(const EdgeCurve& c, const Vec3& normalA, const Vec3& norma
   const double f2 = -3.0 * z[2] * rx + c.acrossCorrection * ry + light.w * z[1];
   const double f3 = -4.0 * z[3] * rx + 2.0 * light.w * z[2];
   const double f4 = 3.0 * light.w * z[3];
+  // Sums in pairs, so that they need not wait for one another.
+  const auto valueAt = [&](double s)
+  {
+    const double q = s * s;
+    return (f0 + s * f1) + q * ((f2 + s * f3) + q * f4);
+  };
+  const auto slopeAt = [&](double s)
+  { return (f1 + s * 2.0 * f2) + s * s * (3.0 * f3 + s * 4.0 * f4); };
   // The normals along the curve have length 1 along z: the ends' fields likewise.
   double s = linearCrossing(fieldA / glm::dot(normalA, c.z), fieldB / glm::dot(normalB, c.z));
+  // Halley's steps are of third order: with the start within a tenth the third one is at the last
+  // digit. Always three, as a branch costs more than a step.
+  double moved = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double f = valueAt(s);
+    const double slope = slopeAt(s);
+    const double bend = f2 + s * (3.0 * f3 + s * 6.0 * f4); // half the second derivative
+    moved = f * slope / (slope * slope - f * bend);
+    s -= moved;
+  }
+  // What is left after a step is less than its square.
+  constexpr double small = 1e-9;
+  if (std::fabs(moved) < small && s >= 0.0 && s <= 1.0)
+  {
+    return s - valueAt(s) / slopeAt(s);
+  }
   double low = 0.0;
   double high = 1.0;
-  for (int step = 0; step < 60; ++step)
+  s = 0.5;
+  for (int i = 0; i < 60; ++i)
   {
-    const double f = f0 + s * (f1 + s * (f2 + s * (f3 + s * f4)));
-    const double slope = f1 + s * (2.0 * f2 + s * (3.0 * f3 + s * 4.0 * f4));
+    const double f = valueAt(s);
+    const double newton = s - f / slopeAt(s);
+    const double before = s;
     (isLit(f) == isLit(fieldA) ? low : high) = s;
-    const double newton = s - f / slope;
-    const double nextS = newton >= low && newton <= high ? newton : 0.5 * (low + high);
-    const double moved = std::fabs(nextS - s);
-    s = nextS;
-    if (moved < 1e-14)
+    const bool inside = newton > low && newton < high;
+    s = inside ? newton : 0.5 * (low + high);
+    if (std::fabs(s - before) < (inside ? small : 1e-16))
     {
       break;
     }

@@ -38,8 +38,9 @@ FacingHierarchy::FacingHierarchy(unsigned arity, std::size_t count, const Ball& 
 
 glm::vec4 FacingHierarchy::quantized(const Vec4& plane)
 {
-  return glm::vec4(std::nearbyint(plane.x * one), std::nearbyint(plane.y * one),
-    std::nearbyint(plane.z * one), std::nearbyint(plane.w * one));
+  return glm::vec4(
+    std::lrint(plane.x * one), std::lrint(plane.y * one), std::lrint(plane.z * one),
+    std::lrint(plane.w * one));
 }
 
 void FacingHierarchy::joinBoxes()

@@ -35,7 +35,7 @@ std::uint64_t mortonCode(const Vec4& plane)
   std::uint64_t code = 0;
   for (int k = 0; k < 4; ++k)
   {
-    const double cell = std::fmin(std::fmax(0.5 * (plane[k] + 1.0) * most, 0.0), most);
+    const double cell = std::min(std::max(0.5 * (plane[k] + 1.0) * most, 0.0), most);
     code |= spread(static_cast<std::uint64_t>(cell)) << k;
   }
   return code;

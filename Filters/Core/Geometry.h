@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -30,15 +31,15 @@ inline bool isFinite(const Vec3& v)
 /// of very large and very small components leave the range of doubles, so these are scaled first.
 inline Vec3 unitOrZero(const Vec3& v)
 {
-  const double largest = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
+  const double squared = glm::dot(v, v);
+  if (squared > 1e-280 && squared < 1e280)
+  {
+    return v / std::sqrt(squared);
+  }
+  const double largest = std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
   if (!isFinite(v) || !(largest > 0.0))
   {
     return Vec3(0.0);
-  }
-  const double length = glm::length(v);
-  if (length > 1e-140 && length < 1e140)
-  {
-    return v / length;
   }
   const Vec3 scaled = v / largest;
   return scaled / glm::length(scaled);

@@ -7,11 +7,10 @@ namespace shadow
 {
 namespace
 {
-/// What a polyline's point consists of.
+/// What a polyline's point consists of, but for its place on the mesh.
 struct ContourPoint
 {
   Vec3 point;
-  Vec3 meshPoint;
   Vec3 normal;
 };
 
@@ -21,8 +20,7 @@ ContourPoint pointBetween(
   const Vec3 tangent = unitOrZero(curve.derivative(s));
   Vec3 normal = from.normal + s * (to.normal - from.normal);
   normal -= glm::dot(normal, tangent) * tangent;
-  return { curve.point(s), from.meshPoint + s * (to.meshPoint - from.meshPoint),
-    unitOrZero(normal) };
+  return { curve.point(s), unitOrZero(normal) };
 }
 
 class PolylineMaker
@@ -132,10 +130,17 @@ private:
     if (node >= this->VertexCount)
     {
       const Crossing& c = this->Chain.crossings[node - this->VertexCount];
-      return { c.point, c.meshPoint, c.normal };
+      return { c.point, c.normal };
     }
-    const Vec3& p = this->TheCaster.mesh().points[node];
-    return { p, p, this->vertexNormal(piece, node) };
+    return { this->TheCaster.mesh().points[node], this->vertexNormal(piece, node) };
+  }
+
+  Vec3 meshPointAt(Index node) const
+  {
+    const TriangleMesh& mesh = this->TheCaster.mesh();
+    return node < this->VertexCount
+      ? mesh.points[node]
+      : meshPoint(mesh, this->TheCaster.edges(), this->Chain.crossings[node - this->VertexCount]);
   }
 
   void writePiece(std::size_t i, const PolylineArrays& arrays)
@@ -146,10 +151,6 @@ private:
     const auto write = [&](const ContourPoint& p, Index node)
     {
       arrays.points[at] = p.point;
-      if (arrays.meshPoints)
-      {
-        arrays.meshPoints[at] = p.meshPoint;
-      }
       if (arrays.normals)
       {
         arrays.normals[at] = p.normal;
@@ -158,13 +159,26 @@ private:
     };
     const ContourPoint from = this->pointAt(piece, piece.from);
     write(from, piece.from);
+    const Vec3 meshFrom = arrays.meshPoints ? this->meshPointAt(piece.from) : Vec3(0.0);
+    if (arrays.meshPoints)
+    {
+      arrays.meshPoints[at - 1] = meshFrom;
+    }
     if (this->FirstPoint[i + 1] == at)
     {
       return;
     }
     const ContourPoint to = this->pointAt(piece, piece.to);
+    const Vec3 along = this->meshPointAt(piece.to) - meshFrom;
     this->subdividePiece(pieceIndex,
-      [&](double s) { write(pointBetween(this->Chain.curves[pieceIndex], s, from, to), None); });
+      [&](double s)
+      {
+        write(pointBetween(this->Chain.curves[pieceIndex], s, from, to), None);
+        if (arrays.meshPoints)
+        {
+          arrays.meshPoints[at - 1] = meshFrom + s * along;
+        }
+      });
   }
 
   const Caster& TheCaster;

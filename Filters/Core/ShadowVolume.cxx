@@ -88,7 +88,7 @@ private:
     }
     for (const Crossing& c : this->Chain.crossings)
     {
-      points.emplace_back(c.meshPoint, 1.0);
+      points.emplace_back(meshPoint(this->TheCaster.mesh(), this->TheCaster.edges(), c), 1.0);
     }
   }
 
@@ -326,7 +326,9 @@ bool matches(const SilhouetteInput& silhouette, const Caster& caster, const Silh
     }
     const Crossing* crossing =
       node < vertices.size() ? nullptr : &chain.crossings[node - vertices.size()];
-    if (silhouette.meshPoints[i] != (crossing ? crossing->meshPoint : vertices[node]) ||
+    const Vec3 onMesh =
+      crossing ? meshPoint(caster.mesh(), caster.edges(), *crossing) : vertices[node];
+    if (silhouette.meshPoints[i] != onMesh ||
       silhouette.points[i] != (crossing ? crossing->point : vertices[node]))
     {
       return false;

@@ -122,7 +122,7 @@ private:
       const Index first = this->Edges.firstSide(e);
       if (this->TheCaster.edgeKind(e) == EdgeKind::Plain)
       {
-        crossings.push_back({ e, this->Edges.sides[first], 0.0, Vec3(0.0), Vec3(0.0), Vec3(0.0) });
+        crossings.push_back({ e, this->Edges.sides[first], 0.0, Vec3(0.0), Vec3(0.0) });
         continue;
       }
       for (Index i = first; i < this->Edges.firstSide(e + 1); ++i)
@@ -131,7 +131,7 @@ private:
         const SideNormals normals = this->normalsOf(e, side);
         if (this->crosses(normals) && !this->isListed(normals))
         {
-          crossings.push_back({ e, side, 0.0, Vec3(0.0), Vec3(0.0), Vec3(0.0) });
+          crossings.push_back({ e, side, 0.0, Vec3(0.0), Vec3(0.0) });
         }
       }
     }
@@ -161,26 +161,22 @@ private:
   void solve(Crossing& c) const
   {
     const SideNormals normals = this->normalsOf(c.edge, c.side);
-    const Vec3& a = this->Mesh.points[this->Edges.edges[c.edge].a];
-    const Vec3& b = this->Mesh.points[this->Edges.edges[c.edge].b];
     const Vec3& normalA = this->Mesh.normals[normals.a];
     const Vec3& normalB = this->Mesh.normals[normals.b];
     const double fieldA = this->Chain.field.value(normals.a);
     const double fieldB = this->Chain.field.value(normals.b);
-    // Without a curve the field is linear on the edge.
     if (this->Chain.kind == SilhouetteKind::Smooth)
     {
       const EdgeCurve curve = this->TheCaster.curve(c.edge);
       c.parameter = solveCrossing(curve, normalA, normalB, fieldA, fieldB, this->Chain.light);
-      c.meshPoint = a + c.parameter * (b - a);
       const EdgeCurve::Sample sample = curve.sample(c.parameter, normalA, normalB);
       c.point = sample.point;
       c.normal = unitOrZero(sample.normal);
       return;
     }
+    // Without a curve the field is linear on the edge.
     c.parameter = linearCrossing(fieldA, fieldB);
-    c.meshPoint = a + c.parameter * (b - a);
-    c.point = c.meshPoint;
+    c.point = meshPoint(this->Mesh, this->Edges, c);
     c.normal = unitOrZero(normalA + c.parameter * (normalB - normalA));
   }
 

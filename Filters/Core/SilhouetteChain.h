@@ -26,10 +26,17 @@ struct Crossing
   Index edge;
   Side side;        ///< the first of the sides that cross here
   double parameter; ///< along the edge from a to b
-  Vec3 meshPoint;   ///< on the mesh
   Vec3 point;       ///< on the smooth surface; the mesh point for an accurate silhouette
   Vec3 normal;      ///< unit normal at point
 };
+
+/// Where a crossing is on the mesh itself.
+inline Vec3 meshPoint(const TriangleMesh& mesh, const EdgeTable& edges, const Crossing& c)
+{
+  const Vec3& a = mesh.points[edges.edges[c.edge].a];
+  const Vec3& b = mesh.points[edges.edges[c.edge].b];
+  return a + c.parameter * (b - a);
+}
 
 /// A directed piece of the silhouette between two nodes. Nodes are numbered: first the vertices
 /// of the mesh, then the crossings.

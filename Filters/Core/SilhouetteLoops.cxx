@@ -9,16 +9,21 @@ namespace
 class LoopTracer
 {
 public:
-  explicit LoopTracer(const std::vector<Piece>& pieces)
+  LoopTracer(const std::vector<Piece>& pieces, std::size_t vertexCount)
     : Pieces(pieces)
   {
-    this->compactNodes();
-    this->sortByStart();
+    this->compactNodes(vertexCount);
+    this->Loops.first.push_back(0);
+    this->Loops.pieces.reserve(pieces.size());
   }
 
   SilhouetteLoops trace()
   {
-    this->Loops.first.push_back(0);
+    if (this->followSingles())
+    {
+      return std::move(this->Loops);
+    }
+    this->sortByStart();
     for (std::size_t p = 0; p < this->Pieces.size(); ++p)
     {
       while (this->Remaining[p] > 0 && this->Loops.balanced)
@@ -30,40 +35,69 @@ public:
   }
 
 private:
-  /// Gives the nodes numbers without large gaps. Crossings have them already; vertices are few of
-  /// many.
-  void compactNodes()
+  /// Gives the nodes numbers without gaps: the crossings as they are, then the vertices.
+  void compactNodes(std::size_t vertexCount)
   {
-    Index least = None;
-    Index most = 0;
+    const Index firstCrossing = static_cast<Index>(vertexCount);
+    std::size_t vertices = 0;
     for (const Piece& p : this->Pieces)
     {
-      least = std::min(least, std::min(p.from, p.to));
-      most = std::max(most, std::max(p.from, p.to));
+      const Index node = std::max(p.from, p.to);
+      vertices += p.from < firstCrossing;
+      this->NodeCount =
+        node < firstCrossing ? this->NodeCount : std::max(this->NodeCount, std::size_t(node - firstCrossing) + 1);
     }
-    this->From.resize(this->Pieces.size());
-    this->To.resize(this->Pieces.size());
-    this->Remaining.resize(this->Pieces.size());
-    const auto number = [&](const auto& numberOf)
+    IndexTable numbers;
+    numbers.reset(vertices);
+    const auto numberOf = [&](Index node)
     {
-      for (std::size_t p = 0; p < this->Pieces.size(); ++p)
-      {
-        this->From[p] = numberOf(this->Pieces[p].from);
-        this->To[p] = numberOf(this->Pieces[p].to);
-        this->Remaining[p] = this->Pieces[p].multiplicity;
-      }
+      return node >= firstCrossing ? node - firstCrossing
+                                   : static_cast<Index>(this->NodeCount) + numbers.placeOf(node);
     };
-    if (!this->Pieces.empty() && most - least < 2 * this->Pieces.size())
+    this->From.reserve(this->Pieces.size());
+    this->To.reserve(this->Pieces.size());
+    this->Remaining.reserve(this->Pieces.size());
+    for (const Piece& p : this->Pieces)
     {
-      number([&](Index node) { return node - least; });
-      this->NodeCount = std::size_t(most - least) + 1;
-      return;
+      this->From.push_back(numberOf(p.from));
+      this->To.push_back(numberOf(p.to));
+      this->Remaining.push_back(p.multiplicity);
     }
-    IndexTable table;
-    // A node has a piece that starts there, unless the chain is open.
-    table.reset(this->Pieces.size());
-    number([&](Index node) { return table.placeOf(node); });
-    this->NodeCount = table.count();
+    this->NodeCount += numbers.count();
+  }
+
+  /// Where one piece leaves each node the loops are what comes after what. False where that is not
+  /// so, nothing being done then.
+  bool followSingles()
+  {
+    std::vector<Index> following(this->NodeCount, None);
+    for (std::size_t p = 0; p < this->Pieces.size(); ++p)
+    {
+      if (following[this->From[p]] != None)
+      {
+        return false;
+      }
+      following[this->From[p]] = static_cast<Index>(p);
+    }
+    for (std::size_t p = 0; p < this->Pieces.size() && this->Loops.balanced; ++p)
+    {
+      const int multiplicity = this->Remaining[p];
+      if (multiplicity > 0)
+      {
+        Index piece = static_cast<Index>(p);
+        // A loop comes back to its first piece, all of it with one multiplicity.
+        while (piece != None && this->Remaining[piece] == multiplicity)
+        {
+          this->Remaining[piece] = 0;
+          this->Loops.pieces.push_back(piece);
+          piece = following[this->To[piece]];
+        }
+        this->Loops.balanced = piece == p;
+        this->Loops.first.push_back(this->Loops.pieces.size());
+        this->Loops.multiplicity.push_back(multiplicity);
+      }
+    }
+    return true;
   }
 
   void sortByStart()
@@ -149,8 +183,8 @@ private:
 };
 }
 
-SilhouetteLoops traceLoops(const std::vector<Piece>& pieces)
+SilhouetteLoops traceLoops(const std::vector<Piece>& pieces, std::size_t vertexCount)
 {
-  return LoopTracer(pieces).trace();
+  return LoopTracer(pieces, vertexCount).trace();
 }
 }

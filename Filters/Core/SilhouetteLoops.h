@@ -17,6 +17,7 @@ struct SilhouetteLoops
 };
 
 /// Decomposes the chain, which as a boundary has none itself, so that every walk along it comes
-/// back. O(n) on average in the number of pieces.
-SilhouetteLoops traceLoops(const std::vector<Piece>& pieces);
+/// back. The nodes below vertexCount are vertices, few of which are used; those from there on are
+/// crossings, all of which are. O(n) on average in the number of pieces.
+SilhouetteLoops traceLoops(const std::vector<Piece>& pieces, std::size_t vertexCount);
 }

@@ -19,8 +19,8 @@ struct Deviation
 
   void include(const Deviation& o)
   {
-    this->world = std::fmax(this->world, o.world);
-    this->seen = std::fmax(this->seen, o.seen);
+    this->world = std::max(this->world, o.world);
+    this->seen = std::max(this->seen, o.seen);
   }
 };
 

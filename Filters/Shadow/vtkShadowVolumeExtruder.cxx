@@ -30,7 +30,7 @@ shadow::Caps coreCaps(int caps)
 shadow::SilhouetteInput discreteSilhouette(
   const shadow::Caster& caster, const shadow::SilhouetteChain& chain)
 {
-  const shadow::SilhouetteLoops loops = shadow::traceLoops(chain.pieces);
+  const shadow::SilhouetteLoops loops = shadow::traceLoops(chain.pieces, caster.mesh().points.size());
   assert(loops.balanced); // a boundary always is
   return toInput(caster, chain, loops);
 }

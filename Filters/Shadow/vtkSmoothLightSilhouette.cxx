@@ -103,7 +103,7 @@ int vtkSmoothLightSilhouette::RequestData(
   PreparedCaster& prepared = this->Cache->get(input, settings.caster);
   const auto chain = prepared.caster.silhouette(settings.light, settings.kind,
     static_cast<shadow::SearchMethod>(this->Search), smpRangeLoop);
-  const shadow::SilhouetteLoops loops = shadow::traceLoops(chain->pieces);
+  const shadow::SilhouetteLoops loops = shadow::traceLoops(chain->pieces, prepared.caster.mesh().points.size());
   if (!loops.balanced)
   {
     vtkErrorMacro("The silhouette of " << input->GetNumberOfCells()
