@@ -201,9 +201,10 @@ double solveOnSurface(const EdgeCurve& c, const Vec3& normalA, const Vec3& norma
   }
   // What is left after a step is less than its square.
   constexpr double small = 1e-9;
+  s -= valueAt(s) / slopeAt(s);
   if (std::fabs(moved) < small && s >= 0.0 && s <= 1.0)
   {
-    return s - valueAt(s) / slopeAt(s);
+    return s;
   }
   double low = 0.0;
   double high = 1.0;
