@@ -35,20 +35,25 @@ void forEachStretch(const SilhouetteInput& s, std::size_t loop, const Visit& vis
   }
 }
 
+/// Points from which on a loop is worth a strip of its own.
+constexpr std::size_t longLoop = 16;
+
 class VolumeBuilder
 {
 public:
-  VolumeBuilder(
-    const Caster& caster, const SilhouetteChain& chain, const SilhouetteInput& silhouette)
+  VolumeBuilder(const Caster& caster, const SilhouetteChain& chain,
+    const SilhouetteInput& silhouette, const VolumeSettings& settings)
     : TheCaster(caster)
     , Chain(chain)
     , Silhouette(silhouette)
+    , Settings(settings)
     , VertexCount(caster.mesh().points.size())
   {
   }
 
-  ShadowVolume build(Caps caps)
+  ShadowVolume build()
   {
+    const Caps caps = this->Settings.caps;
     this->placeMeshPoints();
     this->placeSilhouettePoints();
     if (caps != Caps::None)
@@ -66,7 +71,10 @@ public:
     this->Extruded.assign(this->Volume.points.size(), None);
     for (std::size_t loop = 0; loop < this->Silhouette.multiplicity.size(); ++loop)
     {
-      this->addWalls(loop);
+      const std::size_t points = this->Silhouette.first[loop + 1] - this->Silhouette.first[loop];
+      const bool asStrip = this->Settings.wallStrips && points >= longLoop &&
+        !this->Chain.light.isDirectional();
+      asStrip ? this->addWallStrip(loop) : this->addWalls(loop);
     }
     if (caps != Caps::None && !this->Chain.light.isDirectional())
     {
@@ -204,6 +212,24 @@ private:
     }
   }
 
+  void addWallStrip(std::size_t loop)
+  {
+    WallStrip strip{ {}, this->Silhouette.multiplicity[loop] };
+    const std::size_t begin = this->Silhouette.first[loop];
+    const std::size_t end = this->Silhouette.first[loop + 1];
+    strip.points.reserve(2 * (end - begin + 1));
+    for (std::size_t i = begin; i <= end; ++i)
+    {
+      const Index p = this->placed(i < end ? i : begin);
+      if (strip.points.empty() || p != strip.points[strip.points.size() - 2])
+      {
+        strip.points.push_back(p);
+        strip.points.push_back(this->extruded(p));
+      }
+    }
+    this->Volume.strips.push_back(std::move(strip));
+  }
+
   /// From outside a ball all its points are seen within less than a half space, so a fan at
   /// infinity is the same chain as the projected cap. A smooth contour may leave the mesh's ball.
   bool lightIsOutside() const
@@ -251,6 +277,7 @@ private:
   const Caster& TheCaster;
   const SilhouetteChain& Chain;
   const SilhouetteInput& Silhouette;
+  const VolumeSettings& Settings;
   const std::size_t VertexCount;
   ShadowVolume Volume;
   std::vector<Index> Placed;   ///< the volume's point for each point of the silhouette
@@ -306,7 +333,7 @@ Index nodeOfNumber(const Caster& caster, const SilhouetteChain& chain, Index num
   return crossing == None ? None : vertices + crossing;
 }
 
-bool matches(const SilhouetteInput& silhouette, const Caster& caster, const SilhouetteChain& chain)
+Match match(const SilhouetteInput& silhouette, const Caster& caster, const SilhouetteChain& chain)
 {
   const std::vector<Vec3>& vertices = caster.mesh().points;
   for (std::size_t i = 0; i < silhouette.nodes.size(); ++i)
@@ -316,13 +343,13 @@ bool matches(const SilhouetteInput& silhouette, const Caster& caster, const Silh
     {
       if (!isFinite(silhouette.points[i]))
       {
-        return false;
+        return Match::None;
       }
       continue;
     }
     if (node >= vertices.size() + chain.crossings.size())
     {
-      return false;
+      return Match::None;
     }
     const Crossing* crossing =
       node < vertices.size() ? nullptr : &chain.crossings[node - vertices.size()];
@@ -331,7 +358,7 @@ bool matches(const SilhouetteInput& silhouette, const Caster& caster, const Silh
     if (silhouette.meshPoints[i] != onMesh ||
       silhouette.points[i] != (crossing ? crossing->point : vertices[node]))
     {
-      return false;
+      return Match::None;
     }
   }
   std::vector<Count> given;
@@ -339,7 +366,7 @@ bool matches(const SilhouetteInput& silhouette, const Caster& caster, const Silh
   {
     if (silhouette.nodes[silhouette.loopPoints[silhouette.first[loop]]] == None)
     {
-      return false;
+      return Match::None;
     }
     forEachStretch(silhouette, loop,
       [&](const Stretch& s)
@@ -353,12 +380,25 @@ bool matches(const SilhouetteInput& silhouette, const Caster& caster, const Silh
   {
     expected.emplace_back(p.from, p.to, p.multiplicity);
   }
-  return summed(std::move(given)) == summed(std::move(expected));
+  given = summed(std::move(given));
+  expected = summed(std::move(expected));
+  const auto isBefore = [](const Count& l, const Count& r)
+  {
+    return std::tie(std::get<0>(l), std::get<1>(l)) < std::tie(std::get<0>(r), std::get<1>(r));
+  };
+  const bool isPart = std::all_of(given.begin(), given.end(),
+    [&](const Count& count)
+    {
+      const auto same = std::lower_bound(expected.begin(), expected.end(), count, isBefore);
+      return same != expected.end() && !isBefore(count, *same) &&
+        std::get<2>(count) <= std::get<2>(*same);
+    });
+  return given == expected ? Match::Whole : isPart ? Match::Part : Match::None;
 }
 
 ShadowVolume extrude(const Caster& caster, const SilhouetteChain& chain,
-  const SilhouetteInput& silhouette, Caps caps)
+  const SilhouetteInput& silhouette, const VolumeSettings& settings)
 {
-  return VolumeBuilder(caster, chain, silhouette).build(caps);
+  return VolumeBuilder(caster, chain, silhouette, settings).build();
 }
 }

@@ -87,11 +87,18 @@ int vtkShadowVolumeExtruder::RequestData(
   const auto chain = caster.silhouette(
     settings.light, settings.kind, shadow::SearchMethod::Automatic, smpRangeLoop);
   shadow::SilhouetteInput silhouette;
+  shadow::Match match = shadow::Match::Whole;
   if (!given)
   {
     silhouette = discreteSilhouette(caster, *chain);
   }
-  else if (!readSilhouette(given, caster, *chain, silhouette) || !shadow::matches(silhouette, caster, *chain))
+  else
+  {
+    match = readSilhouette(given, caster, *chain, silhouette)
+      ? shadow::match(silhouette, caster, *chain)
+      : shadow::Match::None;
+  }
+  if (match == shadow::Match::None)
   {
     vtkErrorMacro("The silhouette on port 1 is not that of the mesh on port 0, which has "
       << input->GetNumberOfCells()
@@ -99,8 +106,10 @@ int vtkShadowVolumeExtruder::RequestData(
     return 0;
   }
   const double length = this->Length > 0.0 ? this->Length : 20.0 * caster.radius();
-  writeVolume(shadow::extrude(caster, *chain, silhouette, coreCaps(this->Caps)), caster.centre(),
-    length, this->Caps != NONE, vtkPolyData::GetData(outputVector));
+  writeVolume(
+    shadow::extrude(caster, *chain, silhouette, { coreCaps(this->Caps), this->WallStrips }),
+    caster.centre(), length, this->Caps != NONE && match == shadow::Match::Whole,
+    vtkPolyData::GetData(outputVector));
   return 1;
 }
 
@@ -111,4 +120,5 @@ void vtkShadowVolumeExtruder::PrintSelf(ostream& os, vtkIndent indent)
      << ", " << this->LightPosition[2] << ", " << this->LightPosition[3] << ")\n";
   os << indent << "Caps: " << this->Caps << "\n";
   os << indent << "Length: " << this->Length << "\n";
+  os << indent << "WallStrips: " << (this->WallStrips ? "on" : "off") << "\n";
 }

@@ -17,14 +17,14 @@
  * light, the whole part is the cap, and the winding around a point is the number of the part's
  * triangles between it and the light (Aldridge & Woods 2004; Kim, Kim & Turk 2008).
  *
- * Output: triangles, wound outwards.
+ * Output: triangles, wound outwards; with WallStrips also triangle strips.
  * - PointData `Homogeneous` (4, double; w is 1 or 0, at infinity). Points shows those at infinity
  *   at Length along their direction.
  * - CellData `Part` (0 cap, 1 gap between a smooth silhouette and the mesh, 2 wall, 3 far cap),
  *   `Multiplicity` (how often the triangle counts, at least 1).
- * - FieldData `Closed`: 1 unless Caps is NONE. The directed edges of all triangles, taken with
- *   their multiplicity, then sum to zero: by construction, as silhouettes that are not the boundary
- *   of the mesh's chain are refused.
+ * - FieldData `Closed`: 1 if the directed edges of all triangles, taken with their multiplicity, sum
+ *   to zero: so it is by construction, as silhouettes that are not of the mesh's chain are refused,
+ *   unless Caps is NONE or the silhouette's search left some of it out.
  *
  * Errors: a silhouette that does not belong to the mesh gives vtkErrorMacro and no output, as does
  * a light that is not finite or is all zero. At most 2^30 points and 2^31 corners of cells.
@@ -103,6 +103,18 @@ public:
   vtkGetMacro(Length, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether the walls along a loop of 16 points or more become one triangle strip: two point ids a
+   * segment in place of six, and one cell a loop. Strips come behind the triangles. The walls of a
+   * directional light all end in one point and stay triangles. Many filters want triangles alone
+   * (vtkTriangleFilter takes strips apart), so the default is off.
+   */
+  vtkSetMacro(WallStrips, bool);
+  vtkGetMacro(WallStrips, bool);
+  vtkBooleanMacro(WallStrips, bool);
+  ///@}
+
 protected:
   vtkShadowVolumeExtruder();
   ~vtkShadowVolumeExtruder() override;
@@ -117,6 +129,7 @@ private:
   double LightPosition[4] = { 0.0, 0.0, 1.0, 0.0 };
   int Caps = AUTOMATIC;
   double Length = 0.0;
+  bool WallStrips = false;
 
   std::unique_ptr<CasterCache> Cache;
 };

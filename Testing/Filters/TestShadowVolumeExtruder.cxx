@@ -13,9 +13,11 @@
 #include <vtkExecutive.h>
 #include <vtkPointData.h>
 #include <vtkTestErrorObserver.h>
+#include <vtkTriangleFilter.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -74,6 +76,66 @@ TEST(ShadowVolumeExtruder, VolumesOfKnownShapesAreClosed)
       }
     }
   }
+}
+
+namespace
+{
+/// Point ids, the least first, part and multiplicity of each triangle, sorted.
+std::vector<std::array<vtkIdType, 5>> sortedTriangles(vtkPolyData* volume)
+{
+  vtkNew<vtkTriangleFilter> split;
+  split->SetInputData(volume);
+  split->Update();
+  vtkPolyData* triangles = split->GetOutput();
+  vtkDataArray* parts = triangles->GetCellData()->GetArray("Part");
+  vtkDataArray* multiplicities = triangles->GetCellData()->GetArray("Multiplicity");
+  std::vector<std::array<vtkIdType, 5>> sorted;
+  for (vtkIdType cell = 0; cell < triangles->GetNumberOfPolys(); ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    triangles->GetPolys()->GetCellAtId(cell, size, ids);
+    std::array<vtkIdType, 3> corners{ ids[0], ids[1], ids[2] };
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    sorted.push_back({ corners[0], corners[1], corners[2],
+      static_cast<vtkIdType>(parts->GetComponent(cell, 0)),
+      static_cast<vtkIdType>(multiplicities->GetComponent(cell, 0)) });
+  }
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+}
+
+// A strip is the walls of a whole loop; short loops, and those of a direction, stay triangles.
+TEST(ShadowVolumeExtruder, StripsAreTheSameWalls)
+{
+  for (const shadowtest::Mesh& mesh : { shadowtest::torus(36, 18), shadowtest::cylinder(32),
+         shadowtest::box(), shadowtest::ground(0.0, 1.0, 9) })
+  {
+    for (const LightPosition& light : Lights)
+    {
+      for (const int kind : shadowtest::AllKinds)
+      {
+        ShadowPipeline pipeline(mesh, light, kind);
+        const auto expected = sortedTriangles(pipeline.volume());
+        EXPECT_EQ(pipeline.volume()->GetNumberOfStrips(), 0);
+        const vtkIdType polygons = pipeline.volume()->GetNumberOfPolys();
+        pipeline.Extruder->WallStripsOn();
+        vtkPolyData* volume = pipeline.volume();
+        EXPECT_EQ(sortedTriangles(volume), expected);
+        vtkIdType longLoops = 0;
+        for (vtkIdType loop = 0; loop < pipeline.silhouette()->GetNumberOfLines(); ++loop)
+        {
+          longLoops += pipeline.silhouette()->GetLines()->GetCellSize(loop) > 16;
+        }
+        EXPECT_EQ(volume->GetNumberOfStrips(), light[3] == 0.0 ? 0 : longLoops);
+        EXPECT_EQ(volume->GetNumberOfPolys() < polygons, volume->GetNumberOfStrips() > 0);
+      }
+    }
+  }
+  ShadowPipeline pipeline(shadowtest::torus(36, 18), Lights[2], vtkSmoothLightSilhouette::SMOOTH);
+  pipeline.Extruder->WallStripsOn();
+  EXPECT_GT(pipeline.volume()->GetNumberOfStrips(), 0);
 }
 
 TEST(ShadowVolumeExtruder, BunnysVolumeIsClosed)

@@ -57,12 +57,6 @@ void writeTriangles(const shadow::ShadowVolume& volume, vtkPolyData* output)
   offsets->SetNumberOfValues(count + 1);
   vtkNew<vtkTypeInt64Array> connectivity;
   connectivity->SetNumberOfValues(3 * count);
-  vtkNew<vtkUnsignedCharArray> parts;
-  parts->SetName("Part");
-  parts->SetNumberOfValues(count);
-  vtkNew<vtkIntArray> multiplicities;
-  multiplicities->SetName("Multiplicity");
-  multiplicities->SetNumberOfValues(count);
   for (vtkIdType i = 0; i < count; ++i)
   {
     const shadow::VolumeTriangle& t = volume.triangles[static_cast<std::size_t>(i)];
@@ -71,13 +65,53 @@ void writeTriangles(const shadow::ShadowVolume& volume, vtkPolyData* output)
     {
       connectivity->SetValue(3 * i + k, t.points[k]);
     }
-    parts->SetValue(i, static_cast<unsigned char>(t.part));
-    multiplicities->SetValue(i, t.multiplicity);
   }
   offsets->SetValue(count, 3 * count);
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
   output->SetPolys(cells);
+}
+
+void writeStrips(const shadow::ShadowVolume& volume, vtkPolyData* output)
+{
+  vtkNew<vtkCellArray> cells;
+  for (const shadow::WallStrip& strip : volume.strips)
+  {
+    cells->InsertNextCell(static_cast<int>(strip.points.size()));
+    for (const shadow::Index point : strip.points)
+    {
+      cells->InsertCellPoint(point);
+    }
+  }
+  output->SetStrips(cells);
+}
+
+// Strips come behind the triangles.
+void writeCellData(const shadow::ShadowVolume& volume, vtkPolyData* output)
+{
+  const vtkIdType triangles = static_cast<vtkIdType>(volume.triangles.size());
+  const vtkIdType strips = static_cast<vtkIdType>(volume.strips.size());
+  vtkNew<vtkUnsignedCharArray> parts;
+  parts->SetName("Part");
+  parts->SetNumberOfValues(triangles + strips);
+  vtkNew<vtkIntArray> multiplicities;
+  multiplicities->SetName("Multiplicity");
+  multiplicities->SetNumberOfValues(triangles + strips);
+  const auto set = [&](vtkIdType cell, shadow::VolumePart part, int multiplicity)
+  {
+    parts->SetValue(cell, static_cast<unsigned char>(part));
+    multiplicities->SetValue(cell, multiplicity);
+  };
+  for (vtkIdType i = 0; i < triangles; ++i)
+  {
+    const shadow::VolumeTriangle& t = volume.triangles[static_cast<std::size_t>(i)];
+    set(i, t.part, t.multiplicity);
+  }
+  for (vtkIdType i = 0; i < strips; ++i)
+  {
+    set(triangles + i, shadow::VolumePart::Wall,
+      volume.strips[static_cast<std::size_t>(i)].multiplicity);
+  }
   output->GetCellData()->AddArray(parts);
   output->GetCellData()->AddArray(multiplicities);
 }
@@ -88,6 +122,8 @@ void writeVolume(const shadow::ShadowVolume& volume, const shadow::Vec3& centre,
 {
   writePoints(volume, centre, length, output);
   writeTriangles(volume, output);
+  writeStrips(volume, output);
+  writeCellData(volume, output);
   vtkNew<vtkIntArray> isClosed;
   isClosed->SetName("Closed");
   isClosed->InsertNextValue(closed);
