@@ -54,65 +54,66 @@ EdgeCurve Caster::curve(Index edge)
     });
 }
 
-std::shared_ptr<const SearchIndex> Caster::searchIndex(FieldKind kind, const RangeLoop& loop)
+template <class Value, class Make>
+std::shared_ptr<const Value> Caster::kept(std::shared_ptr<const Value>& place, const Make& make)
 {
-  std::shared_ptr<const SearchIndex>& kept = this->Indices[static_cast<std::size_t>(kind)];
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
-    if (kept)
+    if (place)
     {
-      return kept;
+      return place;
     }
   }
-  auto index =
-    std::make_shared<const SearchIndex>(buildSearchIndex(this->searched(), kind, loop));
+  auto made = std::make_shared<const Value>(make());
   const std::lock_guard<std::mutex> lock(this->Guard);
-  kept = index;
-  return index;
+  place = made;
+  return made;
 }
 
-SearchResult Caster::search(
-  const Light& light, FieldKind kind, SearchMethod method, const RangeLoop& loop)
+TrackedResult Caster::search(
+  const Light& light, FieldKind kind, const SearchSettings& settings, const RangeLoop& loop)
 {
-  return shadow::search(
-    this->searched(), *this->searchIndex(kind, loop), light, method, loop);
+  const std::size_t k = static_cast<std::size_t>(kind);
+  const SearchedMesh searched = this->searched();
+  if (settings.method == SearchMethod::BruteForce || settings.method == SearchMethod::Hierarchy)
+  {
+    const auto index = this->kept(
+      this->Indices[k], [&] { return buildSearchIndex(searched, kind, loop); });
+    const bool useTree = settings.method == SearchMethod::Hierarchy;
+    return { shadow::search(searched, *index, light, useTree, loop), true };
+  }
+  std::shared_ptr<const SearchResult> last;
+  {
+    const std::lock_guard<std::mutex> lock(this->Guard);
+    last = this->LastTracked[k];
+  }
+  TrackedResult result;
+  if (settings.method == SearchMethod::Tracking)
+  {
+    const auto seeds =
+      this->kept(this->Seeds[k], [&] { return findTrackingSeeds(searched, kind); });
+    result = trackSilhouette(searched, *seeds, light, kind, last.get());
+  }
+  else
+  {
+    result = sampleSilhouette(
+      searched, light, kind, settings.sampleFraction, settings.seed, last.get(), loop);
+  }
+  auto found = std::make_shared<const SearchResult>(result.found);
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  this->LastTracked[k] = found;
+  return result;
 }
 
-Index Caster::normalAt(const Light& light, SearchMethod method)
-{
-  if (method == SearchMethod::Hierarchy && light.w == 1.0)
-  {
-    std::shared_ptr<const PlaceIndex> places;
-    {
-      const std::lock_guard<std::mutex> lock(this->Guard);
-      places = this->Places;
-    }
-    if (!places)
-    {
-      places = std::make_shared<const PlaceIndex>(this->Mesh);
-      const std::lock_guard<std::mutex> lock(this->Guard);
-      this->Places = places;
-    }
-    return places->firstNormalAt(this->Mesh, light.position);
-  }
-  for (std::size_t n = 0; n < this->Mesh.normals.size(); ++n)
-  {
-    if (light.toward(this->Mesh.points[this->Mesh.normalVertex[n]]) == Vec3(0.0))
-    {
-      return static_cast<Index>(n);
-    }
-  }
-  return None;
-}
-
-Light Caster::offTheSurface(const Light& light, SearchMethod method)
+Light Caster::offTheSurface(const Light& light)
 {
   const Ball& ball = this->TheBall;
   if (light.isDirectional() || glm::length(light.toward(ball.centre)) > light.w * ball.radius)
   {
     return light;
   }
-  const Index normal = this->normalAt(light, method);
+  const auto places = this->kept(this->Places, [&] { return PlaceIndex(this->Mesh); });
+  const Index normal = places->firstNormalAt(this->Mesh, light.position / light.w);
   Light above = light;
   if (normal != None)
   {
@@ -122,23 +123,28 @@ Light Caster::offTheSurface(const Light& light, SearchMethod method)
 }
 
 std::shared_ptr<const SilhouetteChain> Caster::silhouette(
-  const Light& light, SilhouetteKind kind, SearchMethod method, const RangeLoop& loop)
+  const Light& light, SilhouetteKind kind, SearchSettings settings, const RangeLoop& loop)
 {
+  const bool anyDoes = settings.method == SearchMethod::Automatic;
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
     if (this->Last && this->LastLight == light && this->Last->kind == kind &&
-      (method == SearchMethod::Automatic || this->Last->method == method))
+      (anyDoes ? this->Last->complete : this->Last->search == settings))
     {
       return this->Last;
     }
   }
-  if (method == SearchMethod::Automatic)
+  if (anyDoes)
   {
-    method = this->Mesh.triangles.size() < worthATree ? SearchMethod::BruteForce
-                                                      : SearchMethod::Hierarchy;
+    settings.method = this->Mesh.triangles.size() < worthATree ? SearchMethod::BruteForce
+                                                               : SearchMethod::Hierarchy;
   }
-  auto chain = std::make_shared<const SilhouetteChain>(
-    buildSilhouetteChain(*this, this->offTheSurface(light, method), kind, method, loop));
+  const Light seen = this->offTheSurface(light);
+  const TrackedResult result = this->search(seen, fieldKind(kind), settings, loop);
+  SilhouetteChain built = buildSilhouetteChain(*this, seen, kind, result.found, loop);
+  built.search = settings;
+  built.complete = result.complete;
+  auto chain = std::make_shared<const SilhouetteChain>(std::move(built));
   const std::lock_guard<std::mutex> lock(this->Guard);
   this->LastLight = light;
   this->Last = chain;
@@ -157,6 +163,10 @@ std::size_t Caster::memory() const
   for (const auto& index : this->Indices)
   {
     total += index ? index->memory() : 0;
+  }
+  for (const auto& seeds : this->Seeds)
+  {
+    total += seeds ? bytes(seeds->starts) + bytes(seeds->borders) : 0;
   }
   return total + (this->Places ? this->Places->memory() : 0);
 }

@@ -5,6 +5,7 @@
 #include "EdgeCurve.h"
 #include "PlaceIndex.h"
 #include "SilhouetteChain.h"
+#include "SilhouetteTracking.h"
 
 #include <memory>
 #include <mutex>
@@ -51,28 +52,29 @@ public:
   /// The curve of an edge. What it takes its triangles for is kept.
   EdgeCurve curve(Index edge);
 
-  /// The silhouette of a light; the last one is kept, and given whenever it is of the method asked
-  /// for, Automatic being content with any. A light on a vertex is taken to be just above the surface
-  /// there, by 1e-6 of the radius, as the rule takes it that calls a field of zero lit.
+  /// The silhouette of a light; the last one is kept, and given whenever it was searched for as
+  /// asked, Automatic being content with any that is complete. A light on a vertex is taken to be just
+  /// above the surface there, by 1e-6 of the radius, as the rule takes it that calls a field of zero
+  /// lit. Tracking and Randomized begin at what one of them found last.
   std::shared_ptr<const SilhouetteChain> silhouette(
-    const Light& light, SilhouetteKind kind, SearchMethod method, const RangeLoop& loop);
+    const Light& light, SilhouetteKind kind, SearchSettings settings, const RangeLoop& loop);
 
   SearchedMesh searched() const
   {
     return { this->Mesh, this->Edges, this->Weights, this->LinkEdges };
   }
 
-  /// By BruteForce or Hierarchy.
-  SearchResult search(
-    const Light& light, FieldKind kind, SearchMethod method, const RangeLoop& loop);
-
   /// Bytes that are kept, without what allocators add.
   std::size_t memory() const;
 
 private:
-  Light offTheSurface(const Light& light, SearchMethod method);
-  std::shared_ptr<const SearchIndex> searchIndex(FieldKind kind, const RangeLoop& loop);
-  Index normalAt(const Light& light, SearchMethod method);
+  /// What is made when it is first asked for, while the lock is not held.
+  template <class Value, class Make>
+  std::shared_ptr<const Value> kept(std::shared_ptr<const Value>& place, const Make& make);
+
+  TrackedResult search(const Light& light, FieldKind kind, const SearchSettings& settings,
+    const RangeLoop& loop);
+  Light offTheSurface(const Light& light);
 
   TriangleMesh Mesh;
   EdgeTable Edges;
@@ -86,7 +88,10 @@ private:
   AcrossCorrections Corrections;
 
   mutable std::mutex Guard; ///< of what follows; never held while something is made
-  std::array<std::shared_ptr<const SearchIndex>, 2> Indices; ///< by kind of field
+  /// By kind of field.
+  std::array<std::shared_ptr<const SearchIndex>, 2> Indices;
+  std::array<std::shared_ptr<const TrackingSeeds>, 2> Seeds;
+  std::array<std::shared_ptr<const SearchResult>, 2> LastTracked;
   std::shared_ptr<const PlaceIndex> Places;
   Light LastLight;
   std::shared_ptr<const SilhouetteChain> Last;

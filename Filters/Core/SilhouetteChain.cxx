@@ -327,14 +327,12 @@ Index SilhouetteChain::crossingOf(
 }
 
 SilhouetteChain buildSilhouetteChain(Caster& caster, const Light& light, SilhouetteKind kind,
-  SearchMethod method, const RangeLoop& loop)
+  const SearchResult& found, const RangeLoop& loop)
 {
   SilhouetteChain chain;
   chain.light = light;
   chain.kind = kind;
   chain.field = LightField(caster.mesh(), light, fieldKind(kind));
-  chain.method = method;
-  const SearchResult found = caster.search(light, fieldKind(kind), method, loop);
   chain.itemsTested = found.tested;
   ChainBuilder builder(caster, chain, loop);
   if (chain.field.kind() == FieldKind::Face)

@@ -57,7 +57,8 @@ struct SilhouetteChain
   Light light;
   SilhouetteKind kind = SilhouetteKind::Smooth;
   LightField field;                 ///< of the caster's mesh
-  SearchMethod method = SearchMethod::BruteForce; ///< how it was found, never Automatic
+  SearchSettings search;            ///< how it was found; never Automatic
+  bool complete = true;             ///< known to be all of the silhouette
   std::size_t itemsTested = 0;      ///< triangles and edges that the search looked at
   IndexTable crossedEdges;          ///< their places in firstCrossing
   std::vector<Index> firstCrossing; ///< of each crossed edge, and the end
@@ -79,8 +80,8 @@ struct SilhouetteChain
   Index crossingOf(const Caster& caster, Index edge, const SideNormals& normals) const;
 };
 
-/// Builds the chain of a light, the search by BruteForce or Hierarchy; all else is in proportion to
-/// the silhouette. Same result for every loop and for both methods.
+/// Builds the chain of what a search for the light found; in proportion to that. The same for every
+/// loop.
 SilhouetteChain buildSilhouetteChain(Caster& caster, const Light& light, SilhouetteKind kind,
-  SearchMethod method, const RangeLoop& loop);
+  const SearchResult& found, const RangeLoop& loop);
 }

@@ -124,9 +124,8 @@ SearchIndex buildSearchIndex(const SearchedMesh& s, FieldKind kind, const RangeL
 }
 
 SearchResult search(const SearchedMesh& searched, const SearchIndex& index, const Light& light,
-  SearchMethod method, const RangeLoop& loop)
+  bool useTree, const RangeLoop& loop)
 {
-  const bool useTree = method == SearchMethod::Hierarchy;
   return index.kind == FieldKind::Face ? searchFaces(searched, index, light, useTree, loop)
                                        : searchCorners(searched, index, light, useTree, loop);
 }

@@ -10,7 +10,21 @@ enum class SearchMethod
 {
   Automatic,  ///< the hierarchy, except on meshes so small that looking at everything is as fast
   BruteForce, ///< looks at everything
-  Hierarchy   ///< leaves out what a tree of boxes shows to be all lit or all dark
+  Hierarchy,  ///< leaves out what a tree of boxes shows to be all lit or all dark
+  Tracking,   ///< walks to the silhouette and follows it; may miss loops
+  Randomized  ///< looks at a sample and follows what it finds; may miss loops
+};
+
+struct SearchSettings
+{
+  SearchMethod method = SearchMethod::Automatic;
+  double sampleFraction = 0.01; ///< Randomized: share of the edges or triangles
+  std::uint32_t seed = 1;       ///< Randomized: of the sample
+
+  bool operator==(const SearchSettings& o) const
+  {
+    return method == o.method && sampleFraction == o.sampleFraction && seed == o.seed;
+  }
 };
 
 /// What a search found.
@@ -48,9 +62,25 @@ struct SearchIndex
 
 SearchIndex buildSearchIndex(const SearchedMesh& searched, FieldKind kind, const RangeLoop& loop);
 
-/// By BruteForce or Hierarchy; both find the same: every sign is that of the field in double.
+/// All there is, with the tree or without; both find the same: every sign is that of the field in
+/// double.
 SearchResult search(const SearchedMesh& searched, const SearchIndex& index, const Light& light,
-  SearchMethod method, const RangeLoop& loop);
+  bool useTree, const RangeLoop& loop);
+
+/// The same with an index made for this one time.
+inline SearchResult searchAll(
+  const SearchedMesh& searched, const Light& light, FieldKind kind, const RangeLoop& loop)
+{
+  return search(searched, buildSearchIndex(searched, kind, loop), light, false, loop);
+}
+
+/// The bits of a triangle's lit corners, as SearchResult has them.
+inline std::uint8_t litCornersOf(const TriangleMesh& mesh, const LightField& field, Index triangle)
+{
+  const Triangle& n = mesh.cornerNormals[triangle];
+  return static_cast<std::uint8_t>((field.lit(n[0]) ? 1 : 0) | (field.lit(n[1]) ? 2 : 0) |
+    (field.lit(n[2]) ? 4 : 0));
+}
 
 /// How often an edge counts, from a to b, in the boundary of the chain of whole faces. isLit(t)
 /// tells whether triangle t is lit.

@@ -84,8 +84,7 @@ int vtkShadowVolumeExtruder::RequestData(
   }
 
   shadow::Caster& caster = this->Cache->get(input, settings.caster).caster;
-  const auto chain = caster.silhouette(
-    settings.light, settings.kind, shadow::SearchMethod::Automatic, smpRangeLoop);
+  const auto chain = caster.silhouette(settings.light, settings.kind, {}, smpRangeLoop);
   shadow::SilhouetteInput silhouette;
   shadow::Match match = shadow::Match::Whole;
   if (!given)

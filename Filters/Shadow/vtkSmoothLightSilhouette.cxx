@@ -102,7 +102,9 @@ int vtkSmoothLightSilhouette::RequestData(
 
   PreparedCaster& prepared = this->Cache->get(input, settings.caster);
   const auto chain = prepared.caster.silhouette(settings.light, settings.kind,
-    static_cast<shadow::SearchMethod>(this->Search), smpRangeLoop);
+    { static_cast<shadow::SearchMethod>(this->Search), this->SampleFraction,
+      static_cast<std::uint32_t>(this->Seed) },
+    smpRangeLoop);
   const shadow::SilhouetteLoops loops = shadow::traceLoops(chain->pieces, prepared.caster.mesh().points.size());
   if (!loops.balanced)
   {
@@ -133,6 +135,8 @@ void vtkSmoothLightSilhouette::PrintSelf(ostream& os, vtkIndent indent)
      << ", " << this->LightPosition[2] << ", " << this->LightPosition[3] << ")\n";
   os << indent << "Kind: " << this->Kind << "\n";
   os << indent << "Search: " << this->Search << "\n";
+  os << indent << "SampleFraction: " << this->SampleFraction << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "ToleranceMode: " << this->ToleranceMode << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";

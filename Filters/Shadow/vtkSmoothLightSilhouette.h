@@ -74,7 +74,9 @@ public:
   {
     AUTOMATIC = 0,
     BRUTE_FORCE = 1,
-    HIERARCHY = 2
+    HIERARCHY = 2,
+    TRACKING = 3,
+    RANDOMIZED = 4
   };
 
   enum ToleranceModes
@@ -113,16 +115,37 @@ public:
 
   ///@{
   /**
-   * How the silhouette is searched for; what is found is the same, bit for bit. BRUTE_FORCE looks
-   * at the whole mesh. HIERARCHY looks only at what a tree of boxes over the mesh cannot show to be
-   * all lit or all dark. What either needs is made with the first update. AUTOMATIC takes the
-   * hierarchy, except on meshes of less than 2,000 triangles. Default AUTOMATIC.
+   * How the silhouette is searched for.
+   * - BRUTE_FORCE looks at the whole mesh, HIERARCHY only at what a tree of boxes over the mesh cannot
+   *   show to be all lit or all dark. Both find all there is, the same bit for bit. What they need is
+   *   made with the first update. AUTOMATIC is HIERARCHY, except on meshes of less than 2,000
+   *   triangles. Default AUTOMATIC.
+   * - TRACKING walks over the triangles to the silhouette and follows it, from the last light's
+   *   silhouette, from borders, and from a few triangles of each connected part (after Mustafa et
+   *   al.). RANDOMIZED looks at SampleFraction of the mesh, drawn from Seed, and at the last light's
+   *   silhouette, and follows what it finds (Markosian et al. 1997). Both give whole closed loops but
+   *   may miss some: `SearchComplete` is 0 unless they happened to look at everything. They are here
+   *   to be compared: HIERARCHY is complete and as fast.
    */
-  vtkSetClampMacro(Search, int, AUTOMATIC, HIERARCHY);
+  vtkSetClampMacro(Search, int, AUTOMATIC, RANDOMIZED);
   vtkGetMacro(Search, int);
   void SetSearchToAutomatic() { this->SetSearch(AUTOMATIC); }
   void SetSearchToBruteForce() { this->SetSearch(BRUTE_FORCE); }
   void SetSearchToHierarchy() { this->SetSearch(HIERARCHY); }
+  void SetSearchToTracking() { this->SetSearch(TRACKING); }
+  void SetSearchToRandomized() { this->SetSearch(RANDOMIZED); }
+  ///@}
+
+  ///@{
+  /**
+   * Of RANDOMIZED: the share of the edges (DISCRETE) or triangles that is looked at, 0 to 1, default
+   * 0.01, and the seed of the sample, default 1. A loop of n pieces is missed with a probability of
+   * about (1 - SampleFraction)^n.
+   */
+  vtkSetClampMacro(SampleFraction, double, 0.0, 1.0);
+  vtkGetMacro(SampleFraction, double);
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
   ///@}
 
   ///@{
@@ -186,6 +209,8 @@ private:
   double LightPosition[4] = { 0.0, 0.0, 1.0, 0.0 };
   int Kind = SMOOTH;
   int Search = AUTOMATIC;
+  double SampleFraction = 0.01;
+  int Seed = 1;
   double Tolerance = 1e-4;
   int ToleranceMode = RELATIVE;
   double FeatureAngle = 60.0;

@@ -219,7 +219,7 @@ void writeSilhouette(const PreparedCaster& prepared, const shadow::SilhouetteCha
     addField<vtkDoubleArray>(output, "MaximumShadowDeviation", { lines.deviation.seen });
   }
   addField<vtkIntArray>(output, "SilhouetteKind", { static_cast<int>(settings.kind) });
-  addField<vtkIntArray>(output, "SearchComplete", { 1 });
+  addField<vtkIntArray>(output, "SearchComplete", { chain.complete ? 1 : 0 });
   addCount(output, "EdgesTested", chain.itemsTested);
   addField<vtkIntArray>(output, "MergePoints", { static_cast<int>(settings.caster.mergePoints) });
   addField<vtkDoubleArray>(output, "FeatureAngle", { settings.caster.featureAngle });
