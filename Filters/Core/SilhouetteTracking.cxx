@@ -10,7 +10,7 @@ namespace shadow
 namespace
 {
 /// How many triangles a walk from the last silhouette may see.
-constexpr std::size_t shortWalk = 24;
+constexpr std::size_t shortWalk = 16;
 
 /// Walks on a part of the mesh: one, and more on larger parts, which can have several loops.
 constexpr Index trianglesPerStart = 256;
