@@ -411,6 +411,47 @@ TriangleMesh twoSpheres()
     shadowtest::moved(shadowtest::icosphere(2, 5), 0.4, { 3.0, 0.5, 0.2 }) }));
 }
 
+/// The cube [-1, 1]^3 of 12 n^2 triangles, turned, with creases. Those of the side z = 1 come
+/// first.
+TriangleMesh fineCube(int n)
+{
+  shadowtest::MeshBuilder builder;
+  const Vec3 axes[] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
+  for (const int side : { 2, 1, 0 })
+  {
+    for (const double sign : { 1.0, -1.0 })
+    {
+      const Vec3 w = sign * axes[side];
+      const Vec3 u = axes[(side + 1) % 3];
+      const Vec3 v = glm::cross(w, u);
+      const auto point = [&](int i, int j) {
+        const Vec3 p = w + (2.0 * i / n - 1.0) * u + (2.0 * j / n - 1.0) * v;
+        return builder.addPoint({ p.x, p.y, p.z });
+      };
+      for (int i = 0; i < n; ++i)
+      {
+        for (int j = 0; j < n; ++j)
+        {
+          builder.addQuad(point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1));
+        }
+      }
+    }
+  }
+  TriangleMesh mesh = coreMesh(builder.build());
+  // Welded before, turned after: rounding tells the triangles of a side apart.
+  const Vec3 x = glm::normalize(Vec3(0.8, 0.3, 0.1));
+  const Vec3 y = glm::normalize(glm::cross(Vec3(0.1, 0.2, 0.9), x));
+  const Vec3 z = glm::cross(x, y);
+  for (std::vector<Vec3>* vectors : { &mesh.points, &mesh.normals })
+  {
+    for (Vec3& p : *vectors)
+    {
+      p = p.x * x + p.y * y + p.z * z;
+    }
+  }
+  return mesh;
+}
+
 TriangleMesh hemisphere()
 {
   TriangleMesh mesh = coreMesh(shadowtest::icosphere(3, 4));
@@ -554,6 +595,19 @@ TEST(SilhouetteTracking, AllButOneDrawnAreDistinct)
   }
 }
 
+TEST(SilhouetteTracking, SamplesAreOfAllOfTheMesh)
+{
+  const Subject subject(twoSpheres());
+  for (const FieldKind kind : bothKinds)
+  {
+    const Light light{ { 0.3, 0.5, 0.8 }, 0.0 };
+    const SearchResult all = subject.all(light, kind);
+    const TrackedResult drawn = subject.sample(light, kind, 0.6);
+    EXPECT_EQ(drawn.found.triangles, all.triangles);
+    EXPECT_EQ(drawn.found.edges, all.edges);
+  }
+}
+
 TEST(SilhouetteTracking, FindsAllOfConvexMeshes)
 {
   const std::vector<std::pair<std::string, TriangleMesh>> meshes{
@@ -632,6 +686,54 @@ TEST(SilhouetteTracking, KeepsAllLoopsOfAMovingLight)
       EXPECT_LT(last.tested, all.tested) << i;
     }
     EXPECT_GT(last.triangles.size() + last.edges.size(), 50u);
+  }
+}
+
+// Light that comes nearer leaves a sphere's silhouette with nothing of the last one.
+TEST(SilhouetteTracking, WalksFromTheLastSilhouette)
+{
+  const Subject subject(coreMesh(shadowtest::icosphere(4, 3)));
+  for (const FieldKind kind : bothKinds)
+  {
+    const auto light = [](double distance) { return Light{ { 0.0, 0.0, distance }, 1.0 }; };
+    SearchResult last = subject.all(light(5.0), kind);
+    int disjoint = 0;
+    for (double distance = 4.0; distance > 1.2; distance *= 0.85)
+    {
+      const SearchResult all = subject.all(light(distance), kind);
+      const auto isLast = [&](Index i) {
+        const auto& items = kind == FieldKind::Face ? last.edges : last.triangles;
+        return std::binary_search(items.begin(), items.end(), i);
+      };
+      const auto& items = kind == FieldKind::Face ? all.edges : all.triangles;
+      disjoint += std::none_of(items.begin(), items.end(), isLast);
+      last = trackSilhouette(subject.searched(), {}, light(distance), kind, &last).found;
+      EXPECT_EQ(last.triangles, all.triangles) << distance;
+      EXPECT_EQ(last.edges, all.edges) << distance;
+    }
+    EXPECT_GE(disjoint, 2);
+  }
+}
+
+// The field is the same all over a side, up to rounding.
+TEST(SilhouetteTracking, WalksCrossFlatRegions)
+{
+  const int n = 100;
+  const Subject subject(fineCube(n));
+  for (const FieldKind kind : bothKinds)
+  {
+    shadowtest::Random random(5);
+    int found = 0;
+    for (int i = 0; i < 50; ++i)
+    {
+      const Light light{ anyDirection(random), 0.0 };
+      const TrackingSeeds seeds{ { static_cast<Index>(n * n + n) }, {} };
+      const SearchResult tracked =
+        trackSilhouette(subject.searched(), seeds, light, kind, nullptr).found;
+      EXPECT_LE(tracked.edges.size(), subject.all(light, kind).edges.size());
+      found += !tracked.edges.empty();
+    }
+    EXPECT_GE(found, 40);
   }
 }
 
