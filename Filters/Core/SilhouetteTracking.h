@@ -29,19 +29,20 @@ TrackingSeeds findTrackingSeeds(const SearchedMesh& searched, FieldKind kind);
 /// Walks to the silhouette and follows it, after Mustafa et al.'s tracking:
 ///
 /// - The pieces of the last silhouette, if given, are looked at: what still is silhouette is
-///   followed, and from the others a walk over at most 16 triangles is tried. It must be of the same
-///   mesh and kind of field; best what this function gave for the light before (searchAll's for a
-///   corner field holds all link edges, each of which is looked at, too).
+///   followed, and from the others a walk over at most 16 triangles is tried. It must be of the
+///   same mesh and kind of field; best what this function gave for the light before (searchAll's
+///   for a corner field holds all link edges, each of which is looked at, too).
 /// - The seeds' borders are looked at. Edges of one side on parts that are not closed always are
 ///   silhouette.
 /// - From each of the seeds' starts a walk goes through neighbouring triangles towards smaller
 ///   |field|, of faces over their normal's length, until it meets the silhouette. It leaves a local
 ///   minimum by the next smallest value beside what it has been at; triangles whose value is no
-///   number, as those without area, come last. It gives up after 64 + 4 sqrt(triangles of the mesh).
+///   number, as those without area, come last. It gives up after 64 + 4 sqrt(triangles of the
+///   mesh).
 ///
 /// Loops to which no walk leads are missed. Complete only if the walks from the starts have been at
-/// all triangles, as on small meshes without a silhouette. In proportion to the silhouette found, the
-/// last one, the seeds and the walks.
+/// all triangles, as on small meshes without a silhouette. In proportion to the silhouette found,
+/// the last one, the seeds and the walks.
 TrackedResult trackSilhouette(const SearchedMesh& searched, const TrackingSeeds& seeds,
   const Light& light, FieldKind kind, const SearchResult* last);
 
