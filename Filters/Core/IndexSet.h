@@ -5,8 +5,8 @@
 
 namespace shadow
 {
-/// Keeps its items in order of insertion, so that it serves as a queue too. Open addressing over
-/// their places; all operations O(1) on average, memory in proportion to the items.
+/// Keeps its items in order of insertion, so that it serves as a queue too. Open addressing; all
+/// operations O(1) on average, memory in proportion to the items.
 class IndexSet
 {
 public:
@@ -16,26 +16,36 @@ public:
     bool isNew;
   };
 
-  Insertion insert(Index item)
+  /// Room for so many items.
+  void reserve(std::size_t count)
   {
-    if (2 * this->Items.size() >= this->Places.size())
-    {
-      this->grow();
-    }
-    Index& place = this->Places[this->slotOf(item)];
-    if (place != None)
-    {
-      return { place, false };
-    }
-    place = static_cast<Index>(this->Items.size());
-    this->Items.push_back(item);
-    return { place, true };
+    this->Items.reserve(count);
+    this->rehash(2 * count);
   }
 
-  bool contains(Index item) const
+  Insertion insert(Index item)
   {
-    return !this->Places.empty() && this->Places[this->slotOf(item)] != None;
+    if (2 * this->Items.size() >= this->Slots.size())
+    {
+      this->rehash(2 * this->Slots.size());
+    }
+    Slot& slot = this->Slots[this->slotOf(item)];
+    if (slot.place != None)
+    {
+      return { slot.place, false };
+    }
+    slot = { item, static_cast<Index>(this->Items.size()) };
+    this->Items.push_back(item);
+    return { slot.place, true };
   }
+
+  /// The item's place among items(), or None.
+  Index find(Index item) const
+  {
+    return this->Slots.empty() ? None : this->Slots[this->slotOf(item)].place;
+  }
+
+  bool contains(Index item) const { return this->find(item) != None; }
 
   const std::vector<Index>& items() const { return this->Items; }
   std::size_t size() const { return this->Items.size(); }
@@ -44,34 +54,45 @@ public:
   void clear()
   {
     this->Items.clear();
-    this->Places.assign(this->Places.size(), None);
+    this->Slots.assign(this->Slots.size(), Slot());
   }
 
 private:
-  /// Where an item's place is, or the free slot that ends its search.
+  struct Slot
+  {
+    Index item = None;
+    Index place = None; ///< None where the slot is free
+  };
+
+  /// Where an item is, or the free slot that ends its search.
   std::size_t slotOf(Index item) const
   {
     // The high bits of a product with the golden ratio spread neighbouring numbers.
-    const std::uint32_t hash = item * 2654435769u;
-    const std::size_t mask = this->Places.size() - 1;
-    std::size_t slot = (std::uint64_t(hash) * this->Places.size()) >> 32;
-    while (this->Places[slot] != None && this->Items[this->Places[slot]] != item)
+    std::size_t slot = std::uint32_t(item * 2654435769u) >> this->Shift;
+    while (this->Slots[slot].place != None && this->Slots[slot].item != item)
     {
-      slot = (slot + 1) & mask;
+      slot = (slot + 1) & (this->Slots.size() - 1);
     }
     return slot;
   }
 
-  void grow()
+  void rehash(std::size_t slots)
   {
-    this->Places.assign(this->Places.empty() ? 64 : 2 * this->Places.size(), None);
+    unsigned bits = 6;
+    while ((std::size_t(1) << bits) < slots && bits < 32)
+    {
+      ++bits;
+    }
+    this->Shift = 32 - bits;
+    this->Slots.assign(std::size_t(1) << bits, Slot());
     for (std::size_t i = 0; i < this->Items.size(); ++i)
     {
-      this->Places[this->slotOf(this->Items[i])] = static_cast<Index>(i);
+      this->Slots[this->slotOf(this->Items[i])] = { this->Items[i], static_cast<Index>(i) };
     }
   }
 
   std::vector<Index> Items;
-  std::vector<Index> Places; ///< a power of two of slots, at most half of them taken
+  std::vector<Slot> Slots; ///< a power of two of them, at most half taken
+  unsigned Shift = 26;
 };
 }

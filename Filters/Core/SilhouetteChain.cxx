@@ -89,24 +89,15 @@ private:
   void findCrossedEdges(const SearchResult& found)
   {
     // Mostly as many edges as triangles, each of which has two.
-    const std::size_t expected = found.triangles.size() + found.triangles.size() / 8;
-    this->Chain.crossedEdges.reset(expected);
-    this->Crossed.reserve(expected);
+    IndexSet& crossed = this->Chain.crossedEdges;
+    crossed.reserve(found.triangles.size() + found.triangles.size() / 8);
     this->Chords.resize(found.triangles.size());
-    const auto placeOf = [&](Index edge)
-    {
-      const Index place = this->Chain.crossedEdges.placeOf(edge);
-      if (place == this->Crossed.size())
-      {
-        this->Crossed.push_back(edge);
-      }
-      return place;
-    };
     for (std::size_t i = 0; i < found.triangles.size(); ++i)
     {
       const Triangle& edges = this->Edges.triangleEdges[found.triangles[i]];
       const CrossedSides sides = crossedSides[found.litCorners[i]];
-      this->Chords[i] = { placeOf(edges[sides.toDark]), placeOf(edges[sides.toLit]) };
+      this->Chords[i].toDark = crossed.insert(edges[sides.toDark]).place;
+      this->Chords[i].toLit = crossed.insert(edges[sides.toLit]).place;
     }
   }
 
@@ -114,9 +105,10 @@ private:
   void listCrossings()
   {
     std::vector<Crossing>& crossings = this->Chain.crossings;
-    crossings.reserve(this->Crossed.size());
-    this->Chain.firstCrossing.reserve(this->Crossed.size() + 1);
-    for (const Index e : this->Crossed)
+    const std::vector<Index>& crossed = this->Chain.crossedEdges.items();
+    crossings.reserve(crossed.size());
+    this->Chain.firstCrossing.reserve(crossed.size() + 1);
+    for (const Index e : crossed)
     {
       this->Chain.firstCrossing.push_back(static_cast<Index>(crossings.size()));
       const Index first = this->Edges.firstSide(e);
@@ -182,7 +174,7 @@ private:
 
   void orderCrossings()
   {
-    if (this->Chain.crossings.size() == this->Crossed.size())
+    if (this->Chain.crossings.size() == this->Chain.crossedEdges.size())
     {
       return; // one an edge
     }
@@ -208,7 +200,7 @@ private:
     {
       return first;
     }
-    const Index edge = this->Crossed[place];
+    const Index edge = this->Chain.crossedEdges.items()[place];
     return this->Chain.crossingOf(this->TheCaster, edge, this->normalsOf(edge, 3 * triangle + k));
   }
 
@@ -295,7 +287,7 @@ private:
       this->parameterOn(p.source, p.from), this->parameterOn(p.source, p.to));
   }
 
-  /// The places in Crossed of the edges at a chord's ends.
+  /// The places in Chain.crossedEdges of the edges at a chord's ends.
   struct Chord
   {
     Index toDark;
@@ -307,7 +299,6 @@ private:
   const EdgeTable& Edges;
   SilhouetteChain& Chain;
   const RangeLoop& Loop;
-  std::vector<Index> Crossed; ///< edges, by their places in Chain.crossedEdges
   std::vector<Chord> Chords;  ///< of the mixed triangles
 };
 }

@@ -3,7 +3,7 @@
 
 #include "CasterEdges.h"
 #include "CubicCurve.h"
-#include "IndexTable.h"
+#include "IndexSet.h"
 #include "SilhouetteSearch.h"
 
 namespace shadow
@@ -60,8 +60,8 @@ struct SilhouetteChain
   SearchSettings search;            ///< how it was found; never Automatic
   bool complete = true;             ///< known to be all of the silhouette
   std::size_t itemsTested = 0;      ///< triangles and edges that the search looked at
-  IndexTable crossedEdges;          ///< their places in firstCrossing
-  std::vector<Index> firstCrossing; ///< of each crossed edge, and the end
+  IndexSet crossedEdges;
+  std::vector<Index> firstCrossing; ///< of each crossed edge by its place there, and the end
   std::vector<Crossing> crossings;  ///< of each crossed edge in order of parameter
   std::vector<Piece> pieces;        ///< chords, then links
   std::size_t chords = 0;           ///< how many pieces are chords

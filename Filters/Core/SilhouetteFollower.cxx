@@ -32,9 +32,8 @@ bool SilhouetteFollower::lit(Index item)
 
 bool SilhouetteFollower::isMixed(Index triangle)
 {
-  const Triangle& n = this->Searched.mesh.cornerNormals[triangle];
-  const bool first = this->lit(n[0]);
-  return first != this->lit(n[1]) || first != this->lit(n[2]);
+  return shadow::isMixed(
+    this->Searched.mesh, [this](Index n) { return this->lit(n); }, triangle);
 }
 
 /// Of what lies on an edge next to one of its ends, from a to b.
@@ -94,7 +93,7 @@ void SilhouetteFollower::followChord(Index triangle)
       continue;
     }
     // Where no edge bears links the sides of each share their normals: all of them cross.
-    for (Index i = edges.firstSide[edge]; i < edges.firstSide[edge + 1]; ++i)
+    for (Index i = edges.firstSide(edge); i < edges.firstSide(edge + 1); ++i)
     {
       this->Triangles.insert(edges.sides[i] / 3);
     }
@@ -211,6 +210,10 @@ SearchResult SilhouetteFollower::result() const
   result.tested = this->Tested;
   result.triangles = this->Triangles.items();
   std::sort(result.triangles.begin(), result.triangles.end());
+  for (const Index t : result.triangles)
+  {
+    result.litCorners.push_back(litCornersOf(this->Searched.mesh, this->Field, t));
+  }
   std::vector<std::pair<Index, int>> bearing;
   bearing.reserve(this->Edges.size());
   for (std::size_t i = 0; i < this->Edges.size(); ++i)

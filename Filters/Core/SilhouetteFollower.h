@@ -1,6 +1,7 @@
 /// Following the silhouette from one of its pieces to all that hang together with it.
 #pragma once
 
+#include "CasterEdges.h"
 #include "SilhouetteSearch.h"
 #include "VertexFan.h"
 
@@ -29,17 +30,12 @@ EdgePieces findEdgePieces(
   EdgePieces pieces;
   bool any = false;
   SideNormals crossing{ None, None };
-  for (Index i = edges.firstSide[edge]; i < edges.firstSide[edge + 1]; ++i)
+  for (Index i = edges.firstSide(edge); i < edges.firstSide(edge + 1); ++i)
   {
     const Side side = edges.sides[i];
     const Index triangle = side / 3;
-    const Triangle& n = searched.mesh.cornerNormals[triangle];
     const int sign = sideSign(searched.mesh, edges, edge, side);
-    SideNormals normals{ n[side % 3], n[next(side % 3)] };
-    if (sign < 0)
-    {
-      std::swap(normals.a, normals.b);
-    }
+    const SideNormals normals = sideNormals(searched.mesh, edges, edge, side);
     const bool litA = isLit(normals.a);
     const bool litB = isLit(normals.b);
     const ChainWeight weight = searched.weights.silhouette(FieldKind::Corner, triangle);

@@ -47,12 +47,12 @@ private:
       this->NodeCount =
         node < firstCrossing ? this->NodeCount : std::max(this->NodeCount, std::size_t(node - firstCrossing) + 1);
     }
-    IndexTable numbers;
-    numbers.reset(vertices);
+    IndexSet numbers;
+    numbers.reserve(vertices);
     const auto numberOf = [&](Index node)
     {
       return node >= firstCrossing ? node - firstCrossing
-                                   : static_cast<Index>(this->NodeCount) + numbers.placeOf(node);
+                                   : static_cast<Index>(this->NodeCount) + numbers.insert(node).place;
     };
     this->From.reserve(this->Pieces.size());
     this->To.reserve(this->Pieces.size());
@@ -63,7 +63,7 @@ private:
       this->To.push_back(numberOf(p.to));
       this->Remaining.push_back(p.multiplicity);
     }
-    this->NodeCount += numbers.count();
+    this->NodeCount += numbers.size();
   }
 
   /// Where one piece leaves each node the loops are what comes after what. False where that is not

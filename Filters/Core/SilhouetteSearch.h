@@ -74,6 +74,16 @@ inline SearchResult searchAll(
   return search(searched, buildSearchIndex(searched, kind, loop), light, false, loop);
 }
 
+/// Whether a corner field's silhouette runs through a triangle. isLit(n) tells whether corner normal n
+/// is lit.
+template <class IsLit>
+bool isMixed(const TriangleMesh& mesh, const IsLit& isLit, Index triangle)
+{
+  const Triangle& n = mesh.cornerNormals[triangle];
+  const bool lit = isLit(n[0]);
+  return lit != isLit(n[1]) || lit != isLit(n[2]);
+}
+
 /// The bits of a triangle's lit corners, as SearchResult has them.
 inline std::uint8_t litCornersOf(const TriangleMesh& mesh, const LightField& field, Index triangle)
 {

@@ -38,7 +38,7 @@ void startFrom(const SearchedMesh& searched, const SearchResult& last, Silhouett
   {
     if (!follower.startOn(e))
     {
-      missed(searched.edges.sides[searched.edges.firstSide[e]] / 3);
+      missed(searched.edges.sides[searched.edges.firstSide(e)] / 3);
     }
   }
 }
@@ -48,7 +48,7 @@ bool isBorder(const SearchedMesh& searched, FieldKind kind, Index edge)
 {
   int lit = 0;
   int dark = 0;
-  for (Index i = searched.edges.firstSide[edge]; i < searched.edges.firstSide[edge + 1]; ++i)
+  for (Index i = searched.edges.firstSide(edge); i < searched.edges.firstSide(edge + 1); ++i)
   {
     const Side side = searched.edges.sides[i];
     const int sign = sideSign(searched.mesh, searched.edges, edge, side);
@@ -95,30 +95,21 @@ std::vector<std::size_t> drawSample(std::size_t items, std::size_t count, std::u
   }
   return sample;
 }
-
-/// Whether a silhouette runs through a triangle of a corner field.
-template <class IsLit>
-bool isMixed(const TriangleMesh& mesh, const IsLit& isLit, Index triangle)
-{
-  const Triangle& n = mesh.cornerNormals[triangle];
-  const bool lit = isLit(n[0]);
-  return lit != isLit(n[1]) || lit != isLit(n[2]);
-}
 }
 
 TrackingSeeds findTrackingSeeds(const SearchedMesh& searched, FieldKind kind)
 {
   TrackingSeeds seeds;
-  const std::vector<Index>& part = searched.weights.part;
+  const std::size_t triangles = searched.mesh.triangles.size();
   std::vector<Index> size(searched.weights.parts.size(), 0);
-  for (const Index p : part)
+  for (std::size_t t = 0; t < triangles; ++t)
   {
-    ++size[p];
+    ++size[searched.weights.part(static_cast<Index>(t))];
   }
   std::vector<Index> passed(size.size(), 0);
-  for (std::size_t t = 0; t < part.size(); ++t)
+  for (std::size_t t = 0; t < triangles; ++t)
   {
-    const Index p = part[t];
+    const Index p = searched.weights.part(static_cast<Index>(t));
     const Index starts = std::min(mostStarts, 1 + size[p] / trianglesPerStart);
     const Index spacing = (size[p] + starts - 1) / starts;
     if (passed[p]++ % spacing == 0)

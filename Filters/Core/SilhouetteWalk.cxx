@@ -53,7 +53,7 @@ bool SilhouetteWalk::walkFrom(Index start, std::size_t budget)
     const EdgeTable& edges = this->Searched.edges;
     for (const Index edge : edges.triangleEdges[triangle])
     {
-      for (Index i = edges.firstSide[edge]; i < edges.firstSide[edge + 1]; ++i)
+      for (Index i = edges.firstSide(edge); i < edges.firstSide(edge + 1); ++i)
       {
         this->offer(edges.sides[i] / 3);
       }

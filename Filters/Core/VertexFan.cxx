@@ -29,7 +29,7 @@ VertexFan::End VertexFan::turn(Index edge, Index vertex, Side through)
     {
       return sides == 1 ? End::Border : End::Branch;
     }
-    const Side* const both = &this->Edges.sides[this->Edges.firstSide[edge]];
+    const Side* const both = &this->Edges.sides[this->Edges.firstSide(edge)];
     through = both[0] / 3 == triangle ? both[1] : both[0];
   }
 }
@@ -42,7 +42,7 @@ void VertexFan::collect(Index edge, Index vertex)
   for (std::size_t i = 0; i < this->Collected.size(); ++i)
   {
     const Index e = this->Collected.items()[i];
-    for (Index s = this->Edges.firstSide[e]; s < this->Edges.firstSide[e + 1]; ++s)
+    for (Index s = this->Edges.firstSide(e); s < this->Edges.firstSide(e + 1); ++s)
     {
       this->Collected.insert(this->across(this->Edges.sides[s] / 3, e, vertex));
     }
@@ -52,7 +52,7 @@ void VertexFan::collect(Index edge, Index vertex)
 const std::vector<Index>& VertexFan::edgesAround(Index edge, Index vertex)
 {
   this->Around.assign(1, edge);
-  const Index first = this->Edges.firstSide[edge];
+  const Index first = this->Edges.firstSide(edge);
   const Index sides = this->Edges.sideCount(edge);
   End end = sides > 2 ? End::Branch : this->turn(edge, vertex, this->Edges.sides[first]);
   if (end == End::Border && sides == 2)

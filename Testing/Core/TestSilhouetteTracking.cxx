@@ -88,7 +88,8 @@ struct Subject
     : Mesh(std::move(given))
     , Edges(buildEdgeTable(this->Mesh))
     , Weights(findChainWeights(this->Mesh, this->Edges))
-    , LinkEdges(findLinkEdges(this->Mesh, this->Edges, this->Weights))
+    , LinkEdges(findLinkEdges(
+        this->Mesh, this->Edges, this->Weights, findEdgeKinds(this->Mesh, this->Edges)))
   {
   }
 
@@ -196,7 +197,7 @@ public:
           (lit ? from : to) = this->crossing(3 * t + k);
         }
       }
-      const ChainWeight& w = this->S.Weights.corner[t];
+      const ChainWeight& w = this->S.Weights.corner(t);
       result[{ true, t, 0 }] = { from, to, w.lit - w.dark };
     }
     for (const Index e : found.edges)
@@ -260,14 +261,14 @@ private:
     {
       const Node to = passed < order.size() ? Node{ true, edge, passed } : this->end(edge, ends.b);
       int sum = 0;
-      for (Index i = this->S.Edges.firstSide[edge]; i < this->S.Edges.firstSide[edge + 1]; ++i)
+      for (Index i = this->S.Edges.firstSide(edge); i < this->S.Edges.firstSide(edge + 1); ++i)
       {
         const Side side = this->S.Edges.sides[i];
         const SideNormals n = this->normals(side);
         const bool beyond =
           std::find(order.begin(), order.begin() + passed, n) != order.begin() + passed;
         sum += sideSign(this->S.Mesh, this->S.Edges, edge, side) *
-          this->S.Weights.corner[side / 3].of(this->Field.lit(beyond ? n.b : n.a));
+          this->S.Weights.corner(side / 3).of(this->Field.lit(beyond ? n.b : n.a));
       }
       if (sum != 0)
       {

@@ -1,5 +1,6 @@
 // All methods of search find the same silhouette, byte for byte.
 
+#include "ChainChecks.h"
 #include "OutputComparison.h"
 #include "Random.h"
 #include "RandomMeshes.h"
@@ -7,10 +8,15 @@
 #include "ShadowPipeline.h"
 #include "TestMeshes.h"
 
+#include <vtkMath.h>
 #include <vtkSMPTools.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace
@@ -145,6 +151,121 @@ TEST(SilhouetteSearch, AutomaticTakesTheHierarchyOnLargeMeshes)
     {
       EXPECT_LT(tested, 0.7 * all);
       EXPECT_GT(tested, 0.0);
+    }
+  }
+}
+
+namespace
+{
+double lengthOf(vtkPolyData* lines)
+{
+  double length = 0.0;
+  for (vtkIdType cell = 0; cell < lines->GetNumberOfLines(); ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    lines->GetLines()->GetCellAtId(cell, size, ids);
+    for (vtkIdType i = 0; i + 1 < size; ++i)
+    {
+      double p[3];
+      double q[3];
+      lines->GetPoint(ids[i], p);
+      lines->GetPoint(ids[i + 1], q);
+      length += std::sqrt(vtkMath::Distance2BetweenPoints(p, q));
+    }
+  }
+  return length;
+}
+
+/// Numbers of the nodes that two following points of a loop have, those between them left out.
+std::set<std::pair<vtkIdType, vtkIdType>> piecesOf(vtkPolyData* silhouette)
+{
+  vtkDataArray* nodes = silhouette->GetPointData()->GetArray("MeshNodes");
+  std::set<std::pair<vtkIdType, vtkIdType>> pieces;
+  for (vtkIdType cell = 0; cell < silhouette->GetNumberOfLines(); ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    silhouette->GetLines()->GetCellAtId(cell, size, ids);
+    vtkIdType from = -1;
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      const auto node = static_cast<vtkIdType>(nodes->GetComponent(ids[i], 0));
+      if (node >= 0 && from >= 0)
+      {
+        pieces.emplace(from, node);
+      }
+      from = node >= 0 ? node : from;
+    }
+  }
+  return pieces;
+}
+}
+
+// Whole loops, part of what there is, and a volume that says whether it is closed.
+TEST(SilhouetteSearch, IncompleteMethodsFindWholeLoops)
+{
+  const auto mesh = shadowtest::bunny();
+  for (const int kind : shadowtest::AllKinds)
+  {
+    const auto all = makeFilter(mesh, vtkSmoothLightSilhouette::BRUTE_FORCE, kind);
+    for (const int search :
+      { vtkSmoothLightSilhouette::TRACKING, vtkSmoothLightSilhouette::RANDOMIZED })
+    {
+      shadowtest::ShadowPipeline pipeline(mesh, { 0.3, 3.0, 2.0, 1.0 }, kind);
+      pipeline.Silhouette->SetSearch(search);
+      pipeline.Silhouette->SetSampleFraction(1e-3);
+      double found = 0.0;
+      double complete = 0.0;
+      for (int step = 0; step < 10; ++step)
+      {
+        const LightPosition light{ 0.3 + 0.02 * step, 3.0, 2.0, 1.0 };
+        all->SetLightPosition(light.data());
+        all->Update();
+        pipeline.setLight(light);
+        vtkPolyData* some = pipeline.silhouette();
+        EXPECT_EQ(shadowtest::fieldValue(some, "SearchComplete"), 0.0);
+        EXPECT_LT(shadowtest::fieldValue(some, "EdgesTested"),
+          0.7 * shadowtest::fieldValue(all->GetOutput(), "EdgesTested"));
+        EXPECT_TRUE(shadowtest::checkLoops(some).good()) << shadowtest::checkLoops(some);
+        const auto pieces = piecesOf(some);
+        const auto allPieces = piecesOf(all->GetOutput());
+        EXPECT_GT(pieces.size(), 50u);
+        EXPECT_TRUE(
+          std::includes(allPieces.begin(), allPieces.end(), pieces.begin(), pieces.end()));
+        found += lengthOf(some);
+        complete += lengthOf(all->GetOutput());
+        EXPECT_EQ(shadowtest::fieldValue(pipeline.volume(), "Closed"),
+          pieces.size() == allPieces.size() ? 1.0 : 0.0);
+      }
+      EXPECT_GT(found, 0.5 * complete) << "kind " << kind << ", search " << search;
+    }
+  }
+}
+
+TEST(SilhouetteSearch, ASampleOfEverythingIsEverything)
+{
+  for (const shadowtest::Mesh& mesh :
+    { shadowtest::torus(60, 30), shadowtest::cylinder(24), shadowtest::ground(0.0, 1.0, 5) })
+  {
+    for (const int kind : shadowtest::AllKinds)
+    {
+      const auto all = makeFilter(mesh, vtkSmoothLightSilhouette::BRUTE_FORCE, kind);
+      const auto sample = makeFilter(mesh, vtkSmoothLightSilhouette::RANDOMIZED, kind);
+      for (const auto& filter : { all.Get(), sample.Get() })
+      {
+        filter->SetLightPosition(0.3, 0.2, 1.0, 0.0);
+      }
+      all->Update();
+      EXPECT_GT(all->GetOutput()->GetNumberOfPoints(), 0);
+      sample->SetSampleFraction(0.0);
+      sample->Update();
+      EXPECT_EQ(sample->GetOutput()->GetNumberOfPoints(), 0);
+      EXPECT_EQ(shadowtest::fieldValue(sample->GetOutput(), "SearchComplete"), 0.0);
+      sample->SetSampleFraction(1.0);
+      sample->Update();
+      EXPECT_EQ(shadowtest::fieldValue(sample->GetOutput(), "SearchComplete"), 1.0);
+      EXPECT_EQ(shadowtest::difference(all->GetOutput(), sample->GetOutput()), "");
     }
   }
 }
