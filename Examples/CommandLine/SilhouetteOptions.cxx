@@ -22,10 +22,16 @@ void AddSilhouetteOptions(CLI::App& command, SilhouetteOptions& options, bool no
         const std::string& text) { options.Tolerance = ParsePositive("--tolerance", text); },
       "how far a smooth silhouette may be from its curve [1e-4]")
     ->type_name("LENGTH");
-  command
-    .add_option("--tolerance-mode", options.ToleranceMode,
-      "whether it is a share of the mesh's diagonal or a length in the mesh's units [relative]")
-    ->check(CLI::IsMember(std::vector<std::string>{ "relative", "world" }));
+  // A picture has no receivers to be named: there the ground and all meshes receive.
+  std::vector<std::string> modes = { "relative", "world" };
+  std::string meanings = "whether it is a share of the mesh's diagonal, or a length in its units";
+  if (!noShadow)
+  {
+    modes.emplace_back("receiver");
+    meanings += " or in those of the receivers' shadow";
+  }
+  command.add_option("--tolerance-mode", options.ToleranceMode, meanings + " [relative]")
+    ->check(CLI::IsMember(modes));
   command
     .add_option_function<std::string>(
       "--feature-angle",
@@ -68,6 +74,7 @@ void Configure(
   silhouette->SetTolerance(options.Tolerance);
   silhouette->SetToleranceMode(options.ToleranceMode == "world"
       ? vtkSmoothLightSilhouette::WORLD
-      : vtkSmoothLightSilhouette::RELATIVE);
+      : options.ToleranceMode == "receiver" ? vtkSmoothLightSilhouette::RECEIVER
+                                            : vtkSmoothLightSilhouette::RELATIVE);
   silhouette->SetFeatureAngle(options.FeatureAngle);
 }

@@ -1,12 +1,6 @@
 #include "VolumeCommand.h"
 
-#include "Failure.h"
-#include "LightMoves.h"
-#include "MeshReader.h"
-#include "Messages.h"
-#include "PolyDataOutput.h"
-#include "SilhouetteOptions.h"
-#include "Statistics.h"
+#include "GeometryCommand.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -18,7 +12,6 @@
 
 #include <map>
 #include <memory>
-#include <sstream>
 
 namespace
 {
@@ -28,17 +21,13 @@ const std::map<std::string, int> capKinds = { { "automatic", vtkShadowVolumeExtr
 
 struct Arguments
 {
-  std::string Mesh;
-  std::string Output;
-  Homogeneous Light = { 0.0, 0.0, 1.0, 0.0 };
-  SilhouetteOptions Silhouette;
+  GeometryArguments Geometry;
   std::string Caps = "automatic";
   double Length = 0.0;
-  int Repeat = 1;
-  bool Json = false;
+  bool Strips = false;
 };
 
-Json TrianglesByPart(vtkPolyData* volume)
+Json CellsByPart(vtkPolyData* volume)
 {
   const std::vector<std::string> names = { "cap", "gap", "wall", "farCap" };
   std::vector<vtkIdType> counts(names.size(), 0);
@@ -49,64 +38,39 @@ Json TrianglesByPart(vtkPolyData* volume)
       ++counts.at(static_cast<std::size_t>(parts->GetComponent(cell, 0)));
     }
   }
-  Json triangles;
+  Json cells;
   for (std::size_t part = 0; part < names.size(); ++part)
   {
-    triangles[names[part]] = counts[part];
+    cells[names[part]] = counts[part];
   }
-  triangles["all"] = volume->GetNumberOfPolys();
-  return triangles;
+  cells["all"] = volume->GetNumberOfCells();
+  return cells;
 }
 
 void Run(const Arguments& arguments)
 {
-  OutputFile output("--output", arguments.Output, ".vtp");
-  Progress progress;
-  const Mesh mesh = ReadMesh(arguments.Mesh, progress);
-
-  progress.Show("shadow volume");
-  ClearMessages();
   vtkNew<vtkSmoothLightSilhouette> silhouette;
-  silhouette->SetInputData(mesh.Data);
-  Configure(silhouette, arguments.Silhouette, arguments.Light);
   vtkNew<vtkShadowVolumeExtruder> extruder;
-  extruder->SetInputData(mesh.Data);
   extruder->SetSilhouetteConnection(silhouette->GetOutputPort());
   extruder->SetCaps(capKinds.at(arguments.Caps));
   extruder->SetLength(arguments.Length);
-  const double first = Milliseconds([&] { extruder->Update(); });
-  const double move = MedianLightMove(
-    arguments.Light, mesh.Data->GetLength(), arguments.Repeat, [&](Homogeneous light) {
-      silhouette->SetLightPosition(light.data());
-      silhouette->Modified();
-      extruder->Update();
-    });
-  if (!FirstError().empty())
+  extruder->SetWallStrips(arguments.Strips);
+  const auto describe = [&](vtkPolyData* volume, Json& statistics)
   {
-    throw Failure("no shadow volume (" + FirstError() + ")", mesh.File, "check mesh and light");
-  }
-  vtkPolyData* volume = extruder->GetOutput();
-  progress.Show("writing " + arguments.Output);
-  WritePolyData(volume, output);
-  output.Commit();
-
-  const Json closed = FieldValue(volume, "Closed");
-  Json statistics;
-  statistics["command"] = "volume";
-  statistics["output"] = arguments.Output;
-  statistics["light"] = arguments.Light;
-  statistics["kind"] = arguments.Silhouette.Kind;
-  statistics["caps"] = arguments.Caps;
-  statistics["triangles"] = TrianglesByPart(volume);
-  statistics["closed"] = closed.is_number() ? Json(closed != 0) : closed;
-  statistics["firstMilliseconds"] = first;
-  statistics["milliseconds"] = move;
-  statistics["mesh"] = MeshStatistics(mesh);
-  statistics["mesh"].update(MeshDefects(silhouette->GetOutput()));
-  std::ostringstream line;
-  line << arguments.Output << ": " << volume->GetNumberOfPolys() << " triangles, "
-       << (closed == 1 ? "closed, " : "not closed, ") << move << " ms a light move";
-  PrintResult(arguments.Json, statistics, line.str());
+    const Json closed = FieldValue(volume, "Closed");
+    statistics["caps"] = arguments.Caps;
+    statistics["triangles"] = CellsByPart(volume);
+    statistics["strips"] = volume->GetNumberOfStrips();
+    statistics["closed"] = closed.is_number() ? Json(closed != 0) : closed;
+    const std::string strips = arguments.Strips
+      ? std::to_string(volume->GetNumberOfStrips()) + " strips, "
+      : std::string();
+    return std::to_string(volume->GetNumberOfPolys()) + " triangles, " + strips +
+      (closed == 1 ? "closed" : "not closed");
+  };
+  WriteGeometry(arguments.Geometry,
+    { "volume", "shadow volume", silhouette, extruder,
+      [&](vtkPolyData* mesh) { extruder->SetInputData(mesh); }, describe });
 }
 }
 
@@ -115,12 +79,7 @@ void AddVolumeCommand(CLI::App& app, std::function<void()>& chosen)
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& command =
     *app.add_subcommand("volume", "Write the volume in which a mesh's shadow lies (VTP)");
-  command.add_option("mesh", arguments->Mesh, "the mesh")->required()->type_name("MESH");
-  command.add_option("-o,--output", arguments->Output, "the file to write")
-    ->required()
-    ->type_name("FILE.vtp");
-  AddLightOption(command, arguments->Light);
-  AddSilhouetteOptions(command, arguments->Silhouette, false);
+  AddGeometryArguments(command, arguments->Geometry);
   command
     .add_option("--caps", arguments->Caps,
       "the side of a closed mesh that closes the volume near the light [automatic: the dark one]")
@@ -131,7 +90,6 @@ void AddVolumeCommand(CLI::App& app, std::function<void()>& chosen)
       [arguments](const std::string& text) { arguments->Length = ParsePositive("--length", text); },
       "where points at infinity are shown, in the mesh's units [ten diagonals]")
     ->type_name("LENGTH");
-  AddRepeatOption(command, arguments->Repeat);
-  command.add_flag("--json", arguments->Json, "print statistics as JSON");
+  command.add_flag("--strips", arguments->Strips, "write the walls of long loops as strips");
   command.callback([arguments, &chosen] { chosen = [arguments] { Run(*arguments); }; });
 }

@@ -234,6 +234,54 @@ class SilhouetteAndVolume(ToolTest):
         self.assertLessEqual(world["maximumDeviation"], 1e-6)
         self.assertGreaterEqual(world["points"], fine["points"])
 
+    def test_tolerance_on_receivers(self):
+        Meshes.write_sphere(self.path("sphere.vtp"))
+        ground = [(-9, -9, -4), (9, -9, -4), (9, 9, -4), (-9, 9, -4)]
+        Meshes.write_obj(self.path("ground.obj"), ground, [(0, 1, 2, 3)])
+        Meshes.write_obj(self.path("far.obj"), [(x, y, 50 * z) for x, y, z in ground], [(0, 1, 2, 3)])
+        common = ("silhouette", "sphere.vtp", "-o", "out.vtp", "--light", "0.1,0.2,4", "--tolerance",
+                  "1e-3", "--tolerance-mode", "receiver", "--receiver", "ground.obj")
+        near = self.statistics(*common)
+        both = self.statistics(*common, "--receiver", "far.obj")
+        self.assertLessEqual(near["maximumShadowDeviation"], 1e-3)
+        self.assertLessEqual(both["maximumShadowDeviation"], 1e-3)
+        self.assertGreater(near["maximumShadowDeviation"], near["maximumDeviation"])
+        self.assertGreater(both["points"], near["points"])
+
+    def test_search(self):
+        statistics = {}
+        for search in ("automatic", "brute-force", "hierarchy", "tracking", "randomized"):
+            statistics[search] = self.statistics(
+                "silhouette", BUNNY, "-o", search + ".vtp", "--light", "-2,3,4", "--search", search)
+        everything = statistics["brute-force"]
+        self.assertTrue(everything["searchComplete"])
+        for search in ("automatic", "hierarchy"):
+            self.assertTrue(statistics[search]["searchComplete"])
+            self.assertEqual(statistics[search]["points"], everything["points"])
+            self.assertLess(statistics[search]["edgesTested"], 0.5 * everything["edgesTested"])
+        for search in ("tracking", "randomized"):
+            self.assertFalse(statistics[search]["searchComplete"])
+            self.assertGreater(statistics[search]["loops"], 0)
+            self.assertLessEqual(statistics[search]["points"], everything["points"])
+        common = ("silhouette", BUNNY, "-o", "out.vtp", "--light", "-2,3,4", "--search", "randomized")
+        few = self.statistics(*common, "--sample-fraction", "1e-4")
+        again = self.statistics(*common, "--sample-fraction", "1e-4", "--seed", "2")
+        all_of_it = self.statistics(*common, "--sample-fraction", "1")
+        self.assertLess(few["points"], all_of_it["points"])
+        self.assertNotEqual(few["points"], again["points"])
+        self.assertTrue(all_of_it["searchComplete"])
+
+    def test_strips(self):
+        common = ("volume", BUNNY, "-o", "out.vtp", "--light", "-2,3,4")
+        plain = self.statistics(*common)
+        strips = self.statistics(*common, "--strips")
+        volume = Meshes.read_polydata(self.path("out.vtp"))
+        self.assertEqual(plain["strips"], 0)
+        self.assertEqual(strips["strips"], volume.GetNumberOfStrips())
+        self.assertGreater(volume.GetNumberOfStrips(), 3)
+        self.assertLess(strips["triangles"]["wall"], 0.2 * plain["triangles"]["wall"])
+        self.assertTrue(strips["closed"])
+
     def test_output_is_binary(self):
         Meshes.write_sphere(self.path("sphere.vtp"))
         self.succeed("silhouette", "sphere.vtp", "-o", "out.vtp", "--light", "1,2,3")
@@ -326,6 +374,11 @@ class WrongUsage(ToolTest):
             ((*self.SILHOUETTE, "--tolerance", "nan"), "--tolerance nan"),
             ((*self.SILHOUETTE, "--tolerance-mode", "pixels"), "pixels"),
             ((*self.SILHOUETTE, "--feature-angle", "181"), "--feature-angle 181"),
+            ((*self.SILHOUETTE, "--tolerance-mode", "receiver"), "--receiver"),
+            ((*self.SILHOUETTE, "--search", "guess"), "guess"),
+            ((*self.SILHOUETTE, "--sample-fraction", "1.5"), "--sample-fraction 1.5"),
+            ((*self.SILHOUETTE, "--sample-fraction", "nan"), "--sample-fraction nan"),
+            ((*self.SILHOUETTE, "--seed", "0"), "--seed 0"),
             ((*self.SILHOUETTE, "second.obj"), "second.obj"),
             ((*self.VOLUME, "--caps", "far"), "far"),
             ((*self.VOLUME, "--length", "-1"), "--length -1"),
