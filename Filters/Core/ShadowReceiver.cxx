@@ -80,8 +80,9 @@ double ShadowReceiver::deviationBound(const CubicCurve& curve) const
       }
       soonest = std::max(soonest, meetings[f].least());
     }
-    // From a light on the inner side of a face nothing comes in through it.
-    meetings[f].enters = meetings[f].enters && (directional || isBehind);
+    // From a point on the outer side of a face all that comes in comes through its plane, and what
+    // turns away from it (at a nearness below zero) never does.
+    meetings[f].enters = directional ? meetings[f].enters : isBehind;
   }
   for (std::size_t in = 0; in < 6; ++in)
   {
@@ -110,9 +111,9 @@ double ShadowReceiver::deviationBound(const CubicCurve& curve) const
     {
       bound = std::fmax(bound, this->deviationOn(this->Faces[f], curve));
     }
-    else if (!meetings[f].leaves && !meetings[f].enters && canBeFirst && !directional)
+    else if (!directional && !meetings[f].enters && canBeFirst)
     {
-      return infinite; // some of the rays may leave here
+      return infinite; // some of the rays may leave here, and others not
     }
   }
   return bound;

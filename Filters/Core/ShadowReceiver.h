@@ -30,7 +30,7 @@ private:
   {
     std::array<double, 4> nearness;
     bool leaves = true; ///< all rays leave through the face's plane
-    bool enters = true; ///< all rays come in through it
+    bool enters = true; ///< all rays that come in come through it
 
     double least() const;
     double most() const;
