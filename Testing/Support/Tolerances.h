@@ -42,6 +42,16 @@ constexpr double ReportedBound = 1e-9;
 /// Least order of convergence of the smooth contour's shadow.
 constexpr double SmoothOrder = 3.5;
 
+/// How far from 2 the order of discrete and accurate silhouettes may be: which edges or crossings
+/// an irregular mesh offers differs from size to size.
+constexpr double PolygonOrder = 0.35;
+
+/// Largest error of the smooth contour's shadow on meshes of some 330,000 triangles, in radii of
+/// the shape: three times the worst case, the ellipsoid under a near light; and that with estimated
+/// normals.
+constexpr double SmoothFinest = 1e-7;
+constexpr double EstimatedFinest = 1e-6;
+
 /// Pixels: how far from the true shadow's edge a rasterised mask may differ from the oracle.
 constexpr int MaskPixels = 1;
 
