@@ -36,6 +36,15 @@ constexpr double Newton = 1e-13;
 /// to a cusp: there the contour turns into the line of sight and no method has an order.
 constexpr double CuspRadialCurvature = 0.1;
 
+/// The share of a contour's tangent that is seen from the light below which a point counts as close
+/// to a cusp in a test of directions: pieces that meet there are seen end-on, in any direction.
+constexpr double CuspSeenTangent = 0.1;
+
+/// Radians: the kink of the shadow's boundary where two pieces of a smooth contour meet. Both are
+/// seen in the same line on paper. What remains is the rounding of coordinates over the length of the
+/// shortest piece, about 1e-5 of the size beside a vertex.
+constexpr double JointAngle = 1e-10;
+
 /// Slack on the bound that a silhouette reports for its own subdivision: rounding only.
 constexpr double ReportedBound = 1e-9;
 
