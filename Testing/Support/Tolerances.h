@@ -41,8 +41,8 @@ constexpr double CuspRadialCurvature = 0.1;
 constexpr double CuspSeenTangent = 0.1;
 
 /// Radians: the kink of the shadow's boundary where two pieces of a smooth contour meet. Both are
-/// seen in the same line on paper. What remains is the rounding of coordinates over the length of the
-/// shortest piece, about 1e-5 of the size beside a vertex.
+/// seen in the same line on paper. What remains is the rounding of coordinates over the length of
+/// the shortest piece, about 1e-5 of the size beside a vertex.
 constexpr double JointAngle = 1e-10;
 
 /// Slack on the bound that a silhouette reports for its own subdivision: rounding only.
