@@ -48,6 +48,11 @@ constexpr double JointAngle = 1e-10;
 /// Slack on the bound that a silhouette reports for its own subdivision: rounding only.
 constexpr double ReportedBound = 1e-9;
 
+/// Least share of the reported bound that the true deviation reaches somewhere: a looser bound
+/// would subdivide for nothing. An arc's bound is exact, that of an S-shaped piece 2.6 times its
+/// deviation.
+constexpr double DeviationShare = 1.0 / 3.0;
+
 /// Least order of convergence of the smooth contour's shadow.
 constexpr double SmoothOrder = 3.5;
 
