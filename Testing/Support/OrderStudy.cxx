@@ -50,6 +50,7 @@ const Surface Surfaces[] = {
     longShadow },
   { "ellipsoid", "jittered", [](int size) { return icoEllipsoid(3 + size, Seed); }, longShadow },
   { "torus", "regular", [](int size) { return torus(36 << size, 18 << size); }, ringShadow },
+  { "torus", "flat", [](int size) { return torus(18 << size, 36 << size); }, ringShadow },
   { "torus", "jittered", [](int size) { return torus(36 << size, 18 << size, Seed); }, ringShadow }
 };
 

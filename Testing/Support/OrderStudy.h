@@ -22,7 +22,7 @@ constexpr int OrderSizes = 5;
 struct OrderCase
 {
   std::string Shape;        ///< "sphere", "ellipsoid" or "torus"
-  std::string Tessellation; ///< "regular" or "jittered"
+  std::string Tessellation; ///< "regular", "jittered", or "flat": four times as long as wide
   std::string Light;        ///< "direction", "near" or "far"
   LightPoint LightPosition;
   std::function<Mesh(int size)> Make;                      ///< size in [0, OrderSizes)
@@ -31,7 +31,7 @@ struct OrderCase
   std::string name() const { return this->Shape + ", " + this->Tessellation + ", " + this->Light; }
 };
 
-/// All shapes, regular and jittered, under all lights.
+/// All shapes and their meshes under all lights.
 std::vector<OrderCase> orderCases();
 
 /// Makes the silhouette of a mesh.
