@@ -350,12 +350,14 @@ float makeCorrection(
   {
     return 0.0f;
   }
-  double num = 0.0;
-  double den = 1e-3; // a ridge, without dimension: keeps slivers harmless
-  addEquations(curve, o0, o1, num, den);
-  addEquations(curve, o1, o0, num, den);
   const double limit = std::fabs(curve.acrossA - curve.acrossB) +
     std::fabs(curve.slopeA - curve.slopeB);
+  double num = 0.0;
+  // A ridge keeps slivers harmless. It falls with the square of the edge, or else it would damp the
+  // correction by the same share on every mesh and end at order 3 where triangles are flat.
+  double den = 0.003 * limit * limit;
+  addEquations(curve, o0, o1, num, den);
+  addEquations(curve, o1, o0, num, den);
   const float correction = static_cast<float>(2.0 * std::clamp(num / den, -limit, limit));
   return std::isfinite(correction) ? correction : 0.0f;
 }

@@ -2,7 +2,6 @@
 
 #include "ChainChecks.h"
 #include "HostileMeshes.h"
-#include "PolylineDistance.h"
 #include "RandomMeshes.h"
 #include "RealMeshes.h"
 #include "ShadowPipeline.h"
@@ -167,27 +166,6 @@ TEST(SmoothLightSilhouette, PolylinesAreWithinTheTolerance)
   pipeline.Silhouette->SetTolerance(1e-5 / torus->GetLength());
   EXPECT_NEAR(static_cast<double>(pipeline.silhouette()->GetNumberOfPoints()),
     static_cast<double>(last), 2.0);
-}
-
-// The reported bound, against the densely subdivided curve through the same nodes.
-TEST(SmoothLightSilhouette, MaximumDeviationIsABound)
-{
-  const shadowtest::Mesh torus = shadowtest::torus(12, 8, 5);
-  ShadowPipeline coarse(torus, Lights[3], vtkSmoothLightSilhouette::SMOOTH);
-  coarse.Silhouette->SetTolerance(3e-3);
-  ShadowPipeline fine(torus, Lights[3], vtkSmoothLightSilhouette::SMOOTH);
-  fine.Silhouette->SetTolerance(1e-8);
-  vtkPolyData* polyline = coarse.silhouette();
-  vtkPolyData* curve = fine.silhouette();
-  ASSERT_GT(curve->GetNumberOfPoints(), 20 * polyline->GetNumberOfPoints());
-  const double bound = shadowtest::fieldValue(polyline, "MaximumDeviation");
-  double largest = 0.0;
-  for (vtkIdType i = 0; i < curve->GetNumberOfPoints(); ++i)
-  {
-    largest = std::fmax(largest, shadowtest::distanceToLines(polyline, curve->GetPoint(i)));
-  }
-  EXPECT_LE(largest, bound * (1.0 + shadowtest::tolerance::ReportedBound) + 1e-8);
-  EXPECT_GT(largest, 0.05 * bound) << "a bound this loose would make its test worthless";
 }
 
 TEST(SmoothLightSilhouette, CreasesAndBordersAreNamed)

@@ -260,6 +260,20 @@ public:
     return points;
   }
 
+  int cusps() const
+  {
+    constexpr std::size_t Around = 100000;
+    // Off the ring's level every angle u has two points: even and odd ones are the two contours.
+    const std::vector<Angles> contours = this->angles(static_cast<int>(Around));
+    int changes = 0;
+    for (std::size_t i = 0; i < contours.size(); ++i)
+    {
+      const Angles& next = contours[(i + 2) % contours.size()];
+      changes += (this->radialCurvature(contours[i]) < 0.0) != (this->radialCurvature(next) < 0.0);
+    }
+    return changes;
+  }
+
 private:
   struct Angles
   {
@@ -343,6 +357,11 @@ std::unique_ptr<AnalyticShadow> torusShadow(
   double radius, double tube, const LightPoint& light, const Plane& receiver)
 {
   return std::make_unique<TorusShadow>(radius, tube, light, receiver);
+}
+
+int torusCusps(double radius, double tube, const LightPoint& light)
+{
+  return TorusShadow(radius, tube, light, { { 0.0, 0.0, -1.0 }, { 0.0, 0.0, 1.0 } }).cusps();
 }
 
 bool ellipsoidHides(const double halfAxes[3], const Vec3& point, const LightPoint& light)

@@ -62,6 +62,11 @@ std::unique_ptr<AnalyticShadow> ellipsoidShadow(
 std::unique_ptr<AnalyticShadow> torusShadow(
   double radius, double tube, const LightPoint& light, const Plane& receiver);
 
+/// How many cusps the torus's outline has as seen from the light, hidden ones too: where the radial
+/// curvature changes sign along the exact contour. The light is off the ring's level:
+/// |light[2]| > w tube.
+int torusCusps(double radius, double tube, const LightPoint& light);
+
 /// Whether the ellipsoid stands between a point and the light.
 bool ellipsoidHides(const double halfAxes[3], const Vec3& point, const LightPoint& light);
 

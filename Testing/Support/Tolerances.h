@@ -36,11 +36,35 @@ constexpr double Newton = 1e-13;
 /// to a cusp: there the contour turns into the line of sight and no method has an order.
 constexpr double CuspRadialCurvature = 0.1;
 
+/// The share of a contour's tangent that is seen from the light below which a point counts as close
+/// to a cusp in a test of directions: pieces that meet there are seen end-on, in any direction.
+constexpr double CuspSeenTangent = 0.1;
+
+/// Radians: the kink of the shadow's boundary where two pieces of a smooth contour meet. Both are
+/// seen in the same line on paper. What remains is the rounding of coordinates over the length of
+/// the shortest piece, about 1e-5 of the size beside a vertex.
+constexpr double JointAngle = 1e-10;
+
 /// Slack on the bound that a silhouette reports for its own subdivision: rounding only.
 constexpr double ReportedBound = 1e-9;
 
+/// Least share of the reported bound that the true deviation reaches somewhere: a looser bound
+/// would subdivide for nothing. An arc's bound is exact, that of an S-shaped piece 2.6 times its
+/// deviation.
+constexpr double DeviationShare = 1.0 / 3.0;
+
 /// Least order of convergence of the smooth contour's shadow.
 constexpr double SmoothOrder = 3.5;
+
+/// How far from 2 the order of discrete and accurate silhouettes may be: which edges or crossings
+/// an irregular mesh offers differs from size to size.
+constexpr double PolygonOrder = 0.35;
+
+/// Largest error of the smooth contour's shadow on meshes of some 330,000 triangles, in radii of
+/// the shape: three times the worst case, the ellipsoid under a near light; and that with estimated
+/// normals.
+constexpr double SmoothFinest = 1e-7;
+constexpr double EstimatedFinest = 1e-6;
 
 /// Pixels: how far from the true shadow's edge a rasterised mask may differ from the oracle.
 constexpr int MaskPixels = 1;
