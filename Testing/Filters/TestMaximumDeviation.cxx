@@ -2,6 +2,7 @@
 // is not much more than the true distance: that to the points of a very fine silhouette, which lie
 // on the same curves.
 
+#include "AnalyticShadow.h"
 #include "MeshBuilder.h"
 #include "RealMeshes.h"
 #include "ShadowPipeline.h"
@@ -40,11 +41,27 @@ struct Mode
 
 const auto InPlace = [](const Vec3& point, const LightPosition&) { return point; };
 
+/// Below all shapes.
+constexpr double GroundHeight = -4.0;
+
+void setGroundAsReceiver(vtkSmoothLightSilhouette* silhouette)
+{
+  silhouette->SetToleranceModeToReceiver();
+  silhouette->SetInputDataObject(1, shadowtest::ground(GroundHeight, 100.0));
+}
+
+Vec3 onTheGround(const Vec3& point, const LightPosition& light)
+{
+  return shadowtest::shadowOn({ { 0.0, 0.0, GroundHeight }, { 0.0, 0.0, 1.0 } }, light, point);
+}
+
 const Mode Modes[] = {
   { "relative", [](vtkSmoothLightSilhouette* s) { s->SetToleranceModeToRelative(); },
     "MaximumDeviation", [](vtkPolyData* mesh) { return mesh->GetLength(); }, InPlace },
   { "world", [](vtkSmoothLightSilhouette* s) { s->SetToleranceModeToWorld(); }, "MaximumDeviation",
     [](vtkPolyData*) { return 1.0; }, InPlace },
+  { "receiver", setGroundAsReceiver, "MaximumShadowDeviation", [](vtkPolyData*) { return 1.0; },
+    onTheGround },
 };
 
 /// The silhouette cut at its nodes: what stands for one curve each, in the order of the loops.

@@ -370,6 +370,61 @@ TEST(SmoothLightSilhouette, ParametersThatAreNoNumbersAreErrors)
 }
 
 // Lights and normals count by their directions.
+TEST(SmoothLightSilhouette, ReceiversAreWantedWhereTheToleranceIsTheirs)
+{
+  vtkNew<vtkSmoothLightSilhouette> filter;
+  filter->SetInputData(shadowtest::torus(24, 12));
+  filter->SetToleranceModeToReceiver();
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkNew<vtkTest::ErrorObserver> errors;
+    filter->AddObserver(vtkCommand::ErrorEvent, errors);
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
+    filter->Update();
+    EXPECT_TRUE(errors->GetError());
+    EXPECT_NE(errors->GetErrorMessage().find("port 1"), std::string::npos);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+    vtkNew<vtkPolyData> empty;
+    filter->SetInputData(1, empty);
+  }
+}
+
+TEST(SmoothLightSilhouette, ReceiversDecideHowFineItIs)
+{
+  vtkNew<vtkSmoothLightSilhouette> filter;
+  filter->SetInputData(shadowtest::torus(24, 12));
+  filter->SetLightPosition(0.5, 0.3, 3.0, 1.0);
+  filter->SetTolerance(1e-4);
+  const auto pointsWith = [&](vtkPolyData* receiver)
+  {
+    filter->SetInputData(1, receiver);
+    filter->Update();
+    return filter->GetOutput()->GetNumberOfPoints();
+  };
+  const vtkIdType world = [&]
+  {
+    filter->SetToleranceModeToWorld();
+    return pointsWith(nullptr);
+  }();
+  EXPECT_TRUE(std::isnan(shadowtest::fieldValue(filter->GetOutput(), "MaximumShadowDeviation")));
+  filter->SetToleranceModeToReceiver();
+  // The shadow grows with the distance from the light, and where it does not fall nothing is split.
+  const vtkIdType near = pointsWith(shadowtest::ground(-1.0, 50.0));
+  const vtkIdType far = pointsWith(shadowtest::ground(-50.0, 500.0));
+  EXPECT_GT(near, world);
+  EXPECT_GT(far, near);
+  EXPECT_LE(shadowtest::fieldValue(filter->GetOutput(), "MaximumShadowDeviation"), 1e-4);
+  EXPECT_LT(pointsWith(shadowtest::moved(shadowtest::ground(0.0, 1.0), 1.0, { 60.0, 0.0, -1.0 })),
+    world);
+  EXPECT_EQ(shadowtest::fieldValue(filter->GetOutput(), "MaximumShadowDeviation"), 0.0);
+  EXPECT_GT(shadowtest::fieldValue(filter->GetOutput(), "MaximumDeviation"), 1e-4);
+  // Several receivers count together.
+  filter->SetInputData(1, shadowtest::ground(-1.0, 50.0));
+  filter->AddInputData(1, shadowtest::ground(-50.0, 500.0));
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), far);
+}
+
 TEST(SmoothLightSilhouette, ScalesOfLightsAndNormalsDoNotMatter)
 {
   const shadowtest::Mesh torus = shadowtest::torus(18, 9);
