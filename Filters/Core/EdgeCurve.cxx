@@ -80,7 +80,7 @@ void shapeSurface(const TriangleMesh& mesh, const SideNormals& sides, EdgeCurve&
   const Vec3 na = mesh.normals[sides.a];
   const Vec3 nb = mesh.normals[sides.b];
   c.length = glm::length(c.b - c.a);
-  c.x = (c.b - c.a) / c.length;
+  c.x = (c.b - c.a) * (1.0 / c.length);
   const Vec3 mean = na + nb;
   c.z = unitOrZero(mean - glm::dot(mean, c.x) * c.x);
   c.y = glm::cross(c.z, c.x);
@@ -91,10 +91,12 @@ void shapeSurface(const TriangleMesh& mesh, const SideNormals& sides, EdgeCurve&
     return;
   }
   c.shape = EdgeCurve::Shape::Surface;
-  c.slopeA = -glm::dot(na, c.x) / za;
-  c.slopeB = -glm::dot(nb, c.x) / zb;
-  c.acrossA = -glm::dot(na, c.y) / za;
-  c.acrossB = -glm::dot(nb, c.y) / zb;
+  const double overA = -1.0 / za;
+  const double overB = -1.0 / zb;
+  c.slopeA = glm::dot(na, c.x) * overA;
+  c.slopeB = glm::dot(nb, c.x) * overB;
+  c.acrossA = glm::dot(na, c.y) * overA;
+  c.acrossB = glm::dot(nb, c.y) * overB;
   // What a circle's arc has more than the cubic with the same ends and slopes: it turns by the angle
   // of (cosine, sine), of which the tangents of the half and of the quarter are needed.
   const double cosine = 1.0 + c.slopeA * c.slopeB;
@@ -160,69 +162,6 @@ Vec4 heightPolynomial(const EdgeCurve& c)
   const double lb = c.length * c.slopeB;
   return { la, c.heightCorrection - 2.0 * la - lb, la + lb - 2.0 * c.heightCorrection,
     c.heightCorrection };
-}
-
-/// In the curve's frame, with the light at R from the end a, the field is
-/// Rz - w z(s) - z'(s)/L (Rx - w L s) - across(s) Ry: a quartic. Where Halley's steps do not come to
-/// an end Newton's are taken within a bracket, which is halved where they leave it.
-double solveOnSurface(const EdgeCurve& c, const Vec3& normalA, const Vec3& normalB, double fieldA,
-  double fieldB, const Light& light)
-{
-  const Vec3 toward = light.toward(c.a);
-  const double rx = glm::dot(c.x, toward) / c.length;
-  const double ry = glm::dot(c.y, toward);
-  const double rz = glm::dot(c.z, toward);
-  const Vec4 z = heightPolynomial(c);
-  const double f0 = rz - z[0] * rx - c.acrossA * ry;
-  const double f1 = -2.0 * z[1] * rx - (c.acrossB - c.acrossA + c.acrossCorrection) * ry;
-  const double f2 = -3.0 * z[2] * rx + c.acrossCorrection * ry + light.w * z[1];
-  const double f3 = -4.0 * z[3] * rx + 2.0 * light.w * z[2];
-  const double f4 = 3.0 * light.w * z[3];
-  // Sums in pairs, so that they need not wait for one another.
-  const auto valueAt = [&](double s)
-  {
-    const double q = s * s;
-    return (f0 + s * f1) + q * ((f2 + s * f3) + q * f4);
-  };
-  const auto slopeAt = [&](double s)
-  { return (f1 + s * 2.0 * f2) + s * s * (3.0 * f3 + s * 4.0 * f4); };
-  // The normals along the curve have length 1 along z: the ends' fields likewise.
-  double s = linearCrossing(fieldA / glm::dot(normalA, c.z), fieldB / glm::dot(normalB, c.z));
-  // Halley's steps are of third order: with the start within a tenth the third one is at the last
-  // digit. Always three, as a branch costs more than a step.
-  double moved = 0.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    const double f = valueAt(s);
-    const double slope = slopeAt(s);
-    const double bend = f2 + s * (3.0 * f3 + s * 6.0 * f4); // half the second derivative
-    moved = f * slope / (slope * slope - f * bend);
-    s -= moved;
-  }
-  // What is left after a step is less than its square.
-  constexpr double small = 1e-9;
-  s -= valueAt(s) / slopeAt(s);
-  if (std::fabs(moved) < small && s >= 0.0 && s <= 1.0)
-  {
-    return s;
-  }
-  double low = 0.0;
-  double high = 1.0;
-  s = 0.5;
-  for (int i = 0; i < 60; ++i)
-  {
-    const double f = valueAt(s);
-    const double newton = s - f / slopeAt(s);
-    const double before = s;
-    (isLit(f) == isLit(fieldA) ? low : high) = s;
-    const bool inside = newton > low && newton < high;
-    s = inside ? newton : 0.5 * (low + high);
-    if (std::fabs(s - before) < (inside ? small : 1e-16))
-    {
-      break;
-    }
-  }
-  return s;
 }
 
 /// Regula falsi with the Illinois rule (Dowell & Jarratt 1971): where one end stays twice its value
@@ -374,17 +313,47 @@ double linearCrossing(double fieldA, double fieldB)
   return s >= 0.0 && s <= 1.0 ? s : 0.5;
 }
 
+/// In the curve's frame, with the light at R from the end a, the field is
+/// Rz - w z(s) - z'(s)/L (Rx - w L s) - across(s) Ry.
+Quartic fieldQuartic(const EdgeCurve& c, const Light& light)
+{
+  const Vec3 toward = light.toward(c.a);
+  const double rx = glm::dot(c.x, toward) / c.length;
+  const double ry = glm::dot(c.y, toward);
+  const double rz = glm::dot(c.z, toward);
+  const Vec4 z = heightPolynomial(c);
+  return { { rz - z[0] * rx - c.acrossA * ry,
+    -2.0 * z[1] * rx - (c.acrossB - c.acrossA + c.acrossCorrection) * ry,
+    -3.0 * z[2] * rx + c.acrossCorrection * ry + light.w * z[1],
+    -4.0 * z[3] * rx + 2.0 * light.w * z[2], 3.0 * light.w * z[3] } };
+}
+
+double guessCrossing(const EdgeCurve& curve, const Vec3& normalA, const Vec3& normalB,
+  double fieldA, double fieldB)
+{
+  // On a Surface the normals along the curve have length 1 along z: the ends' fields likewise.
+  return curve.shape == EdgeCurve::Shape::Surface
+    ? linearCrossing(fieldA * glm::dot(normalB, curve.z), fieldB * glm::dot(normalA, curve.z))
+    : linearCrossing(fieldA, fieldB);
+}
+
 double solveCrossing(const EdgeCurve& curve, const Vec3& normalA, const Vec3& normalB,
   double fieldA, double fieldB, const Light& light)
 {
+  const double guess = guessCrossing(curve, normalA, normalB, fieldA, fieldB);
   switch (curve.shape)
   {
     case EdgeCurve::Shape::Surface:
-      return solveOnSurface(curve, normalA, normalB, fieldA, fieldB, light);
+    {
+      QuarticZeros zeros;
+      zeros.set(0, fieldQuartic(curve, light), guess);
+      zeros.refine(1);
+      return zeros.zero(0, isLit(fieldA));
+    }
     case EdgeCurve::Shape::Crease:
       return solveOnCrease(curve, normalA, normalB, fieldA, fieldB, light);
     default:
-      return linearCrossing(fieldA, fieldB);
+      return guess;
   }
 }
 }

@@ -4,6 +4,7 @@
 
 #include "CasterEdges.h"
 #include "CubicCurve.h"
+#include "QuarticZeros.h"
 
 namespace shadow
 {
@@ -80,10 +81,17 @@ EdgeCurve makeEdgeCurve(const TriangleMesh& mesh, const EdgeTable& edges, Index 
 
 EdgeCurve makeEdgeCurve(const TriangleMesh& mesh, const EdgeTable& edges, Index edge);
 
+/// The field along a Surface curve, over the part of the normals along z.
+Quartic fieldQuartic(const EdgeCurve& curve, const Light& light);
+
 /// Where the field on the curve, for one side's normals, is zero: a parameter in [0, 1]. fieldA
 /// and fieldB are the field at the ends; one of them is lit and the other one is not.
 double solveCrossing(const EdgeCurve& curve, const Vec3& normalA, const Vec3& normalB,
   double fieldA, double fieldB, const Light& light);
+
+/// A first guess at it.
+double guessCrossing(const EdgeCurve& curve, const Vec3& normalA, const Vec3& normalB,
+  double fieldA, double fieldB);
 
 /// The crossing of a field that is linear along the edge, in [0, 1].
 double linearCrossing(double fieldA, double fieldB);

@@ -34,7 +34,7 @@ inline Vec3 unitOrZero(const Vec3& v)
   const double squared = glm::dot(v, v);
   if (squared > 1e-280 && squared < 1e280)
   {
-    return v / std::sqrt(squared);
+    return v * (1.0 / std::sqrt(squared));
   }
   const double largest = std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
   if (!isFinite(v) || !(largest > 0.0))

@@ -140,36 +140,76 @@ private:
 
   void solveCrossings()
   {
-    this->Loop(this->Chain.crossings.size(), 4 * heavyGrain,
+    std::vector<Crossing>& crossings = this->Chain.crossings;
+    this->Loop(crossings.size(), 4 * heavyGrain,
       [&](std::size_t begin, std::size_t end)
       {
-        for (std::size_t i = begin; i < end; ++i)
+        if (this->Chain.kind != SilhouetteKind::Smooth)
         {
-          this->solve(this->Chain.crossings[i]);
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            this->solveLinear(crossings[i]);
+          }
+          return;
+        }
+        for (std::size_t i = begin; i < end; i += QuarticZeros::size)
+        {
+          this->solveOnCurves(&crossings[i], std::min(QuarticZeros::size, end - i));
         }
       });
   }
 
-  void solve(Crossing& c) const
+  /// The ends of a crossing's edge on one of its sides.
+  struct Ends
+  {
+    Vec3 normalA, normalB;
+    double fieldA, fieldB;
+  };
+
+  Ends endsOf(const Crossing& c) const
   {
     const SideNormals normals = this->normalsOf(c.edge, c.side);
-    const Vec3& normalA = this->Mesh.normals[normals.a];
-    const Vec3& normalB = this->Mesh.normals[normals.b];
-    const double fieldA = this->Chain.field.value(normals.a);
-    const double fieldB = this->Chain.field.value(normals.b);
-    if (this->Chain.kind == SilhouetteKind::Smooth)
+    return { this->Mesh.normals[normals.a], this->Mesh.normals[normals.b],
+      this->Chain.field.value(normals.a), this->Chain.field.value(normals.b) };
+  }
+
+  void solveLinear(Crossing& c) const
+  {
+    const Ends ends = this->endsOf(c);
+    c.parameter = linearCrossing(ends.fieldA, ends.fieldB);
+    c.point = meshPoint(this->Mesh, this->Edges, c);
+    c.normal = unitOrZero(ends.normalA + c.parameter * (ends.normalB - ends.normalA));
+  }
+
+  /// Those on curves of shape Surface, nearly all, together.
+  void solveOnCurves(Crossing* crossings, std::size_t count) const
+  {
+    std::array<EdgeCurve, QuarticZeros::size> curves;
+    std::array<Ends, QuarticZeros::size> ends;
+    QuarticZeros zeros;
+    for (std::size_t i = 0; i < count; ++i)
     {
-      const EdgeCurve curve = this->TheCaster.curve(c.edge);
-      c.parameter = solveCrossing(curve, normalA, normalB, fieldA, fieldB, this->Chain.light);
-      const EdgeCurve::Sample sample = curve.sample(c.parameter, normalA, normalB);
+      ends[i] = this->endsOf(crossings[i]);
+      curves[i] = this->TheCaster.curve(crossings[i].edge);
+      const bool together = curves[i].shape == EdgeCurve::Shape::Surface;
+      zeros.set(i,
+        together ? fieldQuartic(curves[i], this->Chain.light) : Quartic{ { 0.0, 1.0, 0.0, 0.0, 0.0 } },
+        guessCrossing(
+          curves[i], ends[i].normalA, ends[i].normalB, ends[i].fieldA, ends[i].fieldB));
+    }
+    zeros.refine(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      Crossing& c = crossings[i];
+      const Ends& e = ends[i];
+      c.parameter = curves[i].shape == EdgeCurve::Shape::Surface
+        ? zeros.zero(i, isLit(e.fieldA))
+        : solveCrossing(
+            curves[i], e.normalA, e.normalB, e.fieldA, e.fieldB, this->Chain.light);
+      const EdgeCurve::Sample sample = curves[i].sample(c.parameter, e.normalA, e.normalB);
       c.point = sample.point;
       c.normal = unitOrZero(sample.normal);
-      return;
     }
-    // Without a curve the field is linear on the edge.
-    c.parameter = linearCrossing(fieldA, fieldB);
-    c.point = meshPoint(this->Mesh, this->Edges, c);
-    c.normal = unitOrZero(normalA + c.parameter * (normalB - normalA));
   }
 
   void orderCrossings()
