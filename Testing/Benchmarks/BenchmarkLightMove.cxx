@@ -145,29 +145,44 @@ void measureMoves(vtkPolyData* given, const Rivals& rivals, int runs)
     print(name + ", brute force", benchmarks::measure(move, runs), rival);
     pipeline.Silhouette->SetSearch(vtkSmoothLightSilhouette::HIERARCHY);
     print(name + ", hierarchy", benchmarks::measure(move, runs), rival);
-    std::printf("    %.2f%% looked at; %lld points; %.0f bytes kept a triangle\n",
+    std::printf("    %.2f%% looked at; %lld points\n",
       100.0 * shadowtest::fieldValue(pipeline.silhouette(), "EdgesTested") /
         ((kind == vtkSmoothLightSilhouette::DISCRETE ? 1.5 : 1.0) *
           static_cast<double>(mesh->GetNumberOfCells())),
-      static_cast<long long>(pipeline.silhouette()->GetNumberOfPoints()),
-      1024.0 * static_cast<double>(pipeline.Silhouette->GetKeptMemorySize()) /
-        static_cast<double>(mesh->GetNumberOfCells()));
-    print(name + " and its volume",
-      benchmarks::measure(
-        [&](int i)
-        {
-          pipeline.setLight(lightAt(i + 1));
-          pipeline.volume();
-        },
-        runs),
-      rival);
+      static_cast<long long>(pipeline.silhouette()->GetNumberOfPoints()));
+    for (const bool strips : { false, true })
+    {
+      pipeline.Extruder->SetWallStrips(strips);
+      print(name + (strips ? " and its volume, strips" : " and its volume"),
+        benchmarks::measure(
+          [&](int i)
+          {
+            pipeline.setLight(lightAt(i + 1));
+            pipeline.volume();
+          },
+          runs),
+        rival);
+    }
   }
 }
 
-/// First updates: what a mesh costs that is new each time, and the tree.
+/// With what is kept for faces and for corners, and all curves' corrections.
+void measureMemory(vtkPolyData* given)
+{
+  const auto mesh = unseen(given);
+  shadowtest::ShadowPipeline pipeline(mesh, lightAt(0), vtkSmoothLightSilhouette::DISCRETE);
+  pipeline.silhouette();
+  pipeline.Silhouette->SetKindToSmooth();
+  pipeline.silhouette();
+  std::printf("%-36s %9.1f bytes a triangle\n", "kept for both kinds of field",
+    1024.0 * static_cast<double>(pipeline.Silhouette->GetKeptMemorySize()) /
+      static_cast<double>(mesh->GetNumberOfCells()));
+}
+
+/// First updates: what a mesh costs that is new each time.
 void measureFirst(vtkPolyData* given)
 {
-  const int runs = 3;
+  const int runs = 9;
   const Figure rival = benchmarks::measure(
     [&](int)
     {
@@ -180,24 +195,18 @@ void measureFirst(vtkPolyData* given)
     },
     runs);
   print("first: vtkPolyDataSilhouette", rival, rival.median);
-  for (const int search :
-    { vtkSmoothLightSilhouette::AUTOMATIC, vtkSmoothLightSilhouette::HIERARCHY })
+  for (const int kind : { vtkSmoothLightSilhouette::DISCRETE, vtkSmoothLightSilhouette::SMOOTH })
   {
-    for (const int kind :
-      { vtkSmoothLightSilhouette::DISCRETE, vtkSmoothLightSilhouette::SMOOTH })
-    {
-      const std::string name = std::string("first: ") +
-        (kind == vtkSmoothLightSilhouette::DISCRETE ? "discrete" : "smooth") +
-        (search == vtkSmoothLightSilhouette::AUTOMATIC ? ", automatic" : ", hierarchy");
-      const auto first = [&](int)
-      {
-        const auto mesh = unseen(given);
-        shadowtest::ShadowPipeline pipeline(mesh, lightAt(0), kind);
-        pipeline.Silhouette->SetSearch(search);
-        pipeline.silhouette();
-      };
-      print(name, benchmarks::measure(first, runs), rival.median);
-    }
+    print(kind == vtkSmoothLightSilhouette::DISCRETE ? "first: discrete" : "first: smooth",
+      benchmarks::measure(
+        [&](int)
+        {
+          const auto mesh = unseen(given);
+          shadowtest::ShadowPipeline pipeline(mesh, lightAt(0), kind);
+          pipeline.silhouette();
+        },
+        runs),
+      rival.median);
   }
 }
 }
@@ -220,12 +229,13 @@ int main(int argc, char* argv[])
   for (const int level : levels)
   {
     const auto mesh = subdividedBunny(level);
-    const int runs = level > 1 ? 7 : 25;
+    const int runs = level > 1 ? 9 : 25;
     std::printf("\nbunny, %lld triangles; milliseconds of %d light moves\n",
       static_cast<long long>(mesh->GetNumberOfCells()), runs);
     std::printf("%-36s %9s %9s %9s %10s\n", "", "median", "least", "most", "rival/this");
     const Rivals rivals = measureRivals(mesh, runs);
     measureMoves(mesh, rivals, runs);
+    measureMemory(mesh);
     measureFirst(mesh);
   }
   return 0;
