@@ -3,11 +3,11 @@
 // Then how fast brute force streams what it looks at, beside the machine's triad.
 
 #include "Measure.h"
+#include "PolylineDistance.h"
 #include "RealMeshes.h"
 #include "ShadowPipeline.h"
 
 #include <vtkLoopSubdivisionFilter.h>
-#include <vtkMath.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkSMPTools.h>
 
@@ -24,26 +24,6 @@ shadowtest::LightPosition lightAt(int step)
 {
   const double angle = 0.02 * step;
   return { 4.0 * std::cos(angle), 4.0 * std::sin(angle), 3.0, 1.0 };
-}
-
-double lengthOf(vtkPolyData* lines)
-{
-  double length = 0.0;
-  for (vtkIdType cell = 0; cell < lines->GetNumberOfLines(); ++cell)
-  {
-    vtkIdType size;
-    const vtkIdType* ids;
-    lines->GetLines()->GetCellAtId(cell, size, ids);
-    for (vtkIdType i = 0; i + 1 < size; ++i)
-    {
-      double p[3];
-      double q[3];
-      lines->GetPoint(ids[i], p);
-      lines->GetPoint(ids[i + 1], q);
-      length += std::sqrt(vtkMath::Distance2BetweenPoints(p, q));
-    }
-  }
-  return length;
 }
 
 struct Method
@@ -101,7 +81,7 @@ void compareMethods(const std::string& name, vtkPolyData* mesh)
       for (int i = 0; i <= Moves; ++i)
       {
         pipeline.setLight(lightAt(i));
-        const double length = lengthOf(pipeline.silhouette());
+        const double length = shadowtest::lengthOfLines(pipeline.silhouette());
         tested += shadowtest::fieldValue(pipeline.silhouette(), "EdgesTested");
         if (method.Search == vtkSmoothLightSilhouette::BRUTE_FORCE)
         {

@@ -2,13 +2,13 @@
 
 #include "ChainChecks.h"
 #include "OutputComparison.h"
+#include "PolylineDistance.h"
 #include "Random.h"
 #include "RandomMeshes.h"
 #include "RealMeshes.h"
 #include "ShadowPipeline.h"
 #include "TestMeshes.h"
 
-#include <vtkMath.h>
 #include <vtkSMPTools.h>
 
 #include <gtest/gtest.h>
@@ -157,26 +157,6 @@ TEST(SilhouetteSearch, AutomaticTakesTheHierarchyOnLargeMeshes)
 
 namespace
 {
-double lengthOf(vtkPolyData* lines)
-{
-  double length = 0.0;
-  for (vtkIdType cell = 0; cell < lines->GetNumberOfLines(); ++cell)
-  {
-    vtkIdType size;
-    const vtkIdType* ids;
-    lines->GetLines()->GetCellAtId(cell, size, ids);
-    for (vtkIdType i = 0; i + 1 < size; ++i)
-    {
-      double p[3];
-      double q[3];
-      lines->GetPoint(ids[i], p);
-      lines->GetPoint(ids[i + 1], q);
-      length += std::sqrt(vtkMath::Distance2BetweenPoints(p, q));
-    }
-  }
-  return length;
-}
-
 /// Numbers of the nodes that two following points of a loop have, those between them left out.
 std::set<std::pair<vtkIdType, vtkIdType>> piecesOf(vtkPolyData* silhouette)
 {
@@ -233,8 +213,8 @@ TEST(SilhouetteSearch, IncompleteMethodsFindWholeLoops)
         EXPECT_GT(pieces.size(), 50u);
         EXPECT_TRUE(
           std::includes(allPieces.begin(), allPieces.end(), pieces.begin(), pieces.end()));
-        found += lengthOf(some);
-        complete += lengthOf(all->GetOutput());
+        found += shadowtest::lengthOfLines(some);
+        complete += shadowtest::lengthOfLines(all->GetOutput());
         EXPECT_EQ(shadowtest::fieldValue(pipeline.volume(), "Closed"),
           pieces.size() == allPieces.size() ? 1.0 : 0.0);
       }

@@ -2,6 +2,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkLine.h>
+#include <vtkMath.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
@@ -45,6 +46,27 @@ double distanceToLines(vtkPolyData* polylines, const double point[3])
     }
   }
   return std::sqrt(least);
+}
+
+double lengthOfLines(vtkPolyData* polylines)
+{
+  double length = 0.0;
+  vtkCellArray* lines = polylines->GetLines();
+  for (vtkIdType cell = 0; cell < lines->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    lines->GetCellAtId(cell, size, ids);
+    for (vtkIdType i = 0; i + 1 < size; ++i)
+    {
+      double p[3];
+      double q[3];
+      polylines->GetPoint(ids[i], p);
+      polylines->GetPoint(ids[i + 1], q);
+      length += std::sqrt(vtkMath::Distance2BetweenPoints(p, q));
+    }
+  }
+  return length;
 }
 
 double hausdorffDistance(vtkPolyData* a, vtkPolyData* b)

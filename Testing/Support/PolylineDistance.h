@@ -1,5 +1,5 @@
 /**
- * @brief How far apart polylines are.
+ * @brief How long polylines are, and how far apart.
  */
 #ifndef shadowtest_PolylineDistance_h
 #define shadowtest_PolylineDistance_h
@@ -10,6 +10,9 @@ namespace shadowtest
 {
 /// Distance of a point from the nearest place on any line of the polydata; infinite without lines.
 double distanceToLines(vtkPolyData* polylines, const double point[3]);
+
+/// The length of all lines of the polydata.
+double lengthOfLines(vtkPolyData* polylines);
 
 /// Hausdorff distance, measured at the points of both.
 double hausdorffDistance(vtkPolyData* a, vtkPolyData* b);
