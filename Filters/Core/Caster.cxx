@@ -108,7 +108,9 @@ TrackedResult Caster::search(
 Light Caster::offTheSurface(const Light& light)
 {
   const Ball& ball = this->TheBall;
-  if (light.isDirectional() || glm::length(light.toward(ball.centre)) > light.w * ball.radius)
+  // A vertex can be on the ball, or by rounding a little outside of it.
+  if (light.isDirectional() ||
+    glm::length(light.toward(ball.centre)) > 1.001 * light.w * ball.radius)
   {
     return light;
   }

@@ -4,10 +4,8 @@ namespace shadow
 {
 namespace
 {
-/// Steps after which only the last digit may still change: what is left is about the cube of one of
-/// Halley's, which one of Newton's follows, and the square of one of Newton's.
-constexpr double smallHalley = 1e-4;
-constexpr double smallNewton = 1e-9;
+/// Newton's steps after which only the last digit may still change: what is left is about the square.
+constexpr double small = 1e-9;
 }
 
 /// Always three of Halley's steps, which are of third order, and one of Newton's: a branch costs more
@@ -24,16 +22,16 @@ void QuarticZeros::refine(std::size_t count)
   {
     const Quartic q{ { this->C[0][i], this->C[1][i], this->C[2][i], this->C[3][i], this->C[4][i] } };
     double s = this->S[i];
-    double moved = 0.0;
     for (int step = 0; step < 3; ++step)
     {
       const double value = q.value(s);
       const double slope = q.slope(s);
-      moved = value * slope / (slope * slope - value * q.bend(s));
-      s -= moved;
+      s -= value * slope / (slope * slope - value * q.bend(s));
     }
-    this->Moved[i] = moved;
-    this->S[i] = s - q.value(s) / q.slope(s);
+    // Halley's steps vanish at an extremum, too, from where Newton's goes anywhere.
+    const double last = q.value(s) / q.slope(s);
+    this->Moved[i] = last;
+    this->S[i] = s - last;
   }
 }
 
@@ -42,7 +40,7 @@ void QuarticZeros::refine(std::size_t count)
 double QuarticZeros::zero(std::size_t i, bool litAtZero) const
 {
   double s = this->S[i];
-  if (std::fabs(this->Moved[i]) < smallHalley && s >= 0.0 && s <= 1.0)
+  if (std::fabs(this->Moved[i]) < small && s >= 0.0 && s <= 1.0)
   {
     return s;
   }
@@ -58,7 +56,7 @@ double QuarticZeros::zero(std::size_t i, bool litAtZero) const
     (isLit(value) == litAtZero ? low : high) = s;
     const bool inside = newton > low && newton < high;
     s = inside ? newton : 0.5 * (low + high);
-    if (std::fabs(s - before) < (inside ? smallNewton : 1e-16))
+    if (std::fabs(s - before) < (inside ? small : 1e-16))
     {
       break;
     }

@@ -55,6 +55,6 @@ public:
 private:
   std::array<std::array<double, size>, 5> C;
   std::array<double, size> S;
-  std::array<double, size> Moved; ///< by the last of Halley's steps
+  std::array<double, size> Moved; ///< by the last step
 };
 }

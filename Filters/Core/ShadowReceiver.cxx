@@ -80,9 +80,11 @@ double ShadowReceiver::deviationBound(const CubicCurve& curve) const
       }
       soonest = std::max(soonest, meetings[f].least());
     }
-    // From a point on the outer side of a face all that comes in comes through its plane, and what
-    // turns away from it (at a nearness below zero) never does.
-    meetings[f].enters = directional ? meetings[f].enters : isBehind;
+    // From a point outside of a face all that comes in comes through its plane, and what turns away
+    // from it (at a nearness below zero) never does. From a point in the plane it is in at once.
+    const bool isOutside =
+      !directional && glm::dot(face.normal, this->TheLight.position) > face.offset;
+    meetings[f].enters = directional ? meetings[f].enters : isOutside;
   }
   for (std::size_t in = 0; in < 6; ++in)
   {
@@ -136,9 +138,11 @@ double ShadowReceiver::deviationOn(const Face& face, const CubicCurve& curve) co
       ? curve.b[i] + ray * ((face.offset - glm::dot(face.normal, curve.b[i])) / speed)
       : light + ray * ((face.offset - glm::dot(face.normal, light)) / speed);
   }
-  const double r = std::fmax(weight[1], weight[2]) / std::fmin(weight[0], weight[3]);
+  const double inner = std::max(weight[1], weight[2]);
+  const double outer = std::min(weight[0], weight[3]);
   const double farthest = std::fmax(distanceToSegment(shadow[1], shadow[0], shadow[3]),
     distanceToSegment(shadow[2], shadow[0], shadow[3]));
-  return farthest * 3.0 * r / (1.0 + 3.0 * r);
+  const double bound = farthest * (3.0 * inner / (outer + 3.0 * inner));
+  return std::isnan(bound) ? infinite : bound;
 }
 }
