@@ -70,8 +70,8 @@ std::shared_ptr<const Value> Caster::kept(std::shared_ptr<const Value>& place, c
   return made;
 }
 
-TrackedResult Caster::search(
-  const Light& light, FieldKind kind, const SearchSettings& settings, const RangeLoop& loop)
+TrackedResult Caster::search(const Light& light, FieldKind kind, const SearchSettings& settings,
+  LastTracked& last, const RangeLoop& loop)
 {
   const std::size_t k = static_cast<std::size_t>(kind);
   const SearchedMesh searched = this->searched();
@@ -82,26 +82,21 @@ TrackedResult Caster::search(
     const bool useTree = settings.method == SearchMethod::Hierarchy;
     return { shadow::search(searched, *index, light, useTree, loop), true };
   }
-  std::shared_ptr<const SearchResult> last;
-  {
-    const std::lock_guard<std::mutex> lock(this->Guard);
-    last = this->LastTracked[k];
-  }
+  std::optional<SearchResult>& before = last.found[k];
+  const SearchResult* start = before ? &*before : nullptr;
   TrackedResult result;
   if (settings.method == SearchMethod::Tracking)
   {
     const auto seeds =
       this->kept(this->Seeds[k], [&] { return findTrackingSeeds(searched, kind); });
-    result = trackSilhouette(searched, *seeds, light, kind, last.get());
+    result = trackSilhouette(searched, *seeds, light, kind, start);
   }
   else
   {
     result = sampleSilhouette(
-      searched, light, kind, settings.sampleFraction, settings.seed, last.get(), loop);
+      searched, light, kind, settings.sampleFraction, settings.seed, start, loop);
   }
-  auto found = std::make_shared<const SearchResult>(result.found);
-  const std::lock_guard<std::mutex> lock(this->Guard);
-  this->LastTracked[k] = found;
+  before = result.found;
   return result;
 }
 
@@ -124,14 +119,14 @@ Light Caster::offTheSurface(const Light& light)
   return above;
 }
 
-std::shared_ptr<const SilhouetteChain> Caster::silhouette(
-  const Light& light, SilhouetteKind kind, SearchSettings settings, const RangeLoop& loop)
+std::shared_ptr<const SilhouetteChain> Caster::silhouette(const Light& light, SilhouetteKind kind,
+  SearchSettings settings, LastTracked& last, const RangeLoop& loop)
 {
   const bool anyDoes = settings.method == SearchMethod::Automatic;
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
     if (this->Last && this->LastLight == light && this->Last->kind == kind &&
-      (anyDoes ? this->Last->complete : this->Last->search == settings))
+      (anyDoes || this->Last->search == settings))
     {
       return this->Last;
     }
@@ -142,14 +137,17 @@ std::shared_ptr<const SilhouetteChain> Caster::silhouette(
                                                                : SearchMethod::Hierarchy;
   }
   const Light seen = this->offTheSurface(light);
-  const TrackedResult result = this->search(seen, fieldKind(kind), settings, loop);
+  const TrackedResult result = this->search(seen, fieldKind(kind), settings, last, loop);
   SilhouetteChain built = buildSilhouetteChain(*this, seen, kind, result.found, loop);
   built.search = settings;
   built.complete = result.complete;
   auto chain = std::make_shared<const SilhouetteChain>(std::move(built));
-  const std::lock_guard<std::mutex> lock(this->Guard);
-  this->LastLight = light;
-  this->Last = chain;
+  if (chain->complete)
+  {
+    const std::lock_guard<std::mutex> lock(this->Guard);
+    this->LastLight = light;
+    this->Last = chain;
+  }
   return chain;
 }
 

@@ -52,19 +52,20 @@ public:
   /// The curve of an edge. What it takes its triangles for is kept.
   EdgeCurve curve(Index edge);
 
-  /// The silhouette of a light; the last one is kept, and given whenever it was searched for as
-  /// asked, Automatic being content with any that is complete. A light on a vertex is taken to be just
-  /// above the surface there, by 1e-6 of the radius, as the rule takes it that calls a field of zero
-  /// lit. Tracking and Randomized begin at what one of them found last.
-  std::shared_ptr<const SilhouetteChain> silhouette(
-    const Light& light, SilhouetteKind kind, SearchSettings settings, const RangeLoop& loop);
+  /// The silhouette of a light. The last complete one is kept, and given whenever it was searched for
+  /// as asked, Automatic being content with any. A light on a vertex is taken to be just above the
+  /// surface there, by 1e-6 of the radius, as the rule takes it that calls a field of zero lit.
+  /// Tracking and Randomized begin at what they found last for this caller, and leave there what they
+  /// find; the other methods do not touch it.
+  std::shared_ptr<const SilhouetteChain> silhouette(const Light& light, SilhouetteKind kind,
+    SearchSettings settings, LastTracked& last, const RangeLoop& loop);
 
   SearchedMesh searched() const
   {
     return { this->Mesh, this->Edges, this->Weights, this->LinkEdges };
   }
 
-  /// Bytes that are kept, without what allocators add.
+  /// Bytes that are kept, without the last silhouette and what allocators add.
   std::size_t memory() const;
 
 private:
@@ -73,7 +74,7 @@ private:
   std::shared_ptr<const Value> kept(std::shared_ptr<const Value>& place, const Make& make);
 
   TrackedResult search(const Light& light, FieldKind kind, const SearchSettings& settings,
-    const RangeLoop& loop);
+    LastTracked& last, const RangeLoop& loop);
   Light offTheSurface(const Light& light);
 
   TriangleMesh Mesh;
@@ -91,7 +92,6 @@ private:
   /// By kind of field.
   std::array<std::shared_ptr<const SearchIndex>, 2> Indices;
   std::array<std::shared_ptr<const TrackingSeeds>, 2> Seeds;
-  std::array<std::shared_ptr<const SearchResult>, 2> LastTracked;
   std::shared_ptr<const PlaceIndex> Places;
   Light LastLight;
   std::shared_ptr<const SilhouetteChain> Last;

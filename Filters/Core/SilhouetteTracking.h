@@ -7,6 +7,8 @@
 
 #include "SilhouetteSearch.h"
 
+#include <optional>
+
 namespace shadow
 {
 /// What a search found that need not find all.
@@ -14,6 +16,13 @@ struct TrackedResult
 {
   SearchResult found;    ///< of a corner field, edges are those on which pieces were found
   bool complete = false; ///< whether it is known to be all; false where it just may be
+};
+
+/// What a caller's searches of these methods found last, by kind of field: where its next ones begin.
+/// On one mesh.
+struct LastTracked
+{
+  std::array<std::optional<SearchResult>, 2> found;
 };
 
 /// Where tracking begins on a mesh, whatever the light.

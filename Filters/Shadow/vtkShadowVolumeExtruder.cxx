@@ -84,7 +84,8 @@ int vtkShadowVolumeExtruder::RequestData(
   }
 
   shadow::Caster& caster = this->Cache->get(input, settings.caster).caster;
-  const auto chain = caster.silhouette(settings.light, settings.kind, {}, smpRangeLoop);
+  const auto chain = caster.silhouette(
+    settings.light, settings.kind, {}, this->Cache->lastTracked(), smpRangeLoop);
   shadow::SilhouetteInput silhouette;
   shadow::Match match = shadow::Match::Whole;
   if (!given)
@@ -97,7 +98,8 @@ int vtkShadowVolumeExtruder::RequestData(
       ? shadow::match(silhouette, caster, *chain)
       : shadow::Match::None;
   }
-  if (match == shadow::Match::None)
+  // Only a search that says so may have left some of it out.
+  if (match == shadow::Match::None || (match == shadow::Match::Part && settings.complete))
   {
     vtkErrorMacro("The silhouette on port 1 is not that of the mesh on port 0, which has "
       << input->GetNumberOfCells()

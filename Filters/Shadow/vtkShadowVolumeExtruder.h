@@ -27,7 +27,8 @@
  *   unless Caps is NONE or the silhouette's search left some of it out.
  *
  * Errors: a silhouette that does not belong to the mesh gives vtkErrorMacro and no output, as does
- * a light that is not finite or is all zero. At most 2^30 points and 2^31 corners of cells.
+ * a light that is not finite or is all zero. At most 2^30 points and 2^31 corners of triangles, polygons and strips taken
+ * apart.
  */
 #ifndef vtkShadowVolumeExtruder_h
 #define vtkShadowVolumeExtruder_h

@@ -15,10 +15,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace
 {
-/// Of all inputs of a port.
+/// Of all inputs of a port. Not valid where there are none with points, or where they have no end.
 vtkBoundingBox boundsOf(vtkInformationVector* inputs)
 {
   vtkBoundingBox bounds;
@@ -29,7 +30,15 @@ vtkBoundingBox boundsOf(vtkInformationVector* inputs)
       bounds.AddBounds(receiver->GetBounds());
     }
   }
-  return bounds;
+  const bool ends = std::isfinite(bounds.GetDiagonalLength());
+  return ends ? bounds : vtkBoundingBox();
+}
+
+shadow::ShadowReceiver receiverOf(const shadow::Light& light, const vtkBoundingBox& bounds)
+{
+  const double* low = bounds.GetMinPoint();
+  const double* high = bounds.GetMaxPoint();
+  return { light, shadow::Vec3(low[0], low[1], low[2]), shadow::Vec3(high[0], high[1], high[2]) };
 }
 }
 
@@ -91,12 +100,12 @@ int vtkSmoothLightSilhouette::RequestData(
     return 0;
   }
 
-  const vtkBoundingBox receivers =
-    this->ToleranceMode == RECEIVER ? boundsOf(inputVector[1]) : vtkBoundingBox();
-  if (this->ToleranceMode == RECEIVER && !receivers.IsValid())
+  const bool onReceivers = this->ToleranceMode == RECEIVER;
+  const vtkBoundingBox receivers = onReceivers ? boundsOf(inputVector[1]) : vtkBoundingBox();
+  if (onReceivers && !receivers.IsValid())
   {
-    vtkErrorMacro("ToleranceMode RECEIVER needs receivers with points on port 1: connect some, or "
-                  "take WORLD or RELATIVE.");
+    vtkErrorMacro("ToleranceMode RECEIVER needs receivers with finite points on port 1: connect some, "
+                  "or take WORLD or RELATIVE.");
     return 0;
   }
 
@@ -104,8 +113,10 @@ int vtkSmoothLightSilhouette::RequestData(
   const auto chain = prepared.caster.silhouette(settings.light, settings.kind,
     { static_cast<shadow::SearchMethod>(this->Search), this->SampleFraction,
       static_cast<std::uint32_t>(this->Seed) },
-    smpRangeLoop);
-  const shadow::SilhouetteLoops loops = shadow::traceLoops(chain->pieces, prepared.caster.mesh().points.size());
+    this->Cache->lastTracked(), smpRangeLoop);
+  settings.complete = chain->complete;
+  const shadow::SilhouetteLoops loops =
+    shadow::traceLoops(chain->pieces, prepared.caster.mesh().points.size());
   if (!loops.balanced)
   {
     vtkErrorMacro("The silhouette of " << input->GetNumberOfCells()
@@ -113,13 +124,13 @@ int vtkSmoothLightSilhouette::RequestData(
     return 0;
   }
   const double unit = this->ToleranceMode == RELATIVE ? 2.0 * prepared.caster.radius() : 1.0;
-  const double* least = receivers.GetMinPoint();
-  const double* most = receivers.GetMaxPoint();
-  const shadow::ShadowReceiver receiver(settings.light,
-    shadow::Vec3(least[0], least[1], least[2]), shadow::Vec3(most[0], most[1], most[2]));
+  std::optional<shadow::ShadowReceiver> receiver;
+  if (onReceivers)
+  {
+    receiver = receiverOf(chain->light, receivers);
+  }
   writeSilhouette(prepared, *chain, loops,
-    { this->Tolerance * unit, this->ToleranceMode == RECEIVER ? &receiver : nullptr }, settings,
-    output);
+    { this->Tolerance * unit, onReceivers ? &*receiver : nullptr }, settings, output);
   return 1;
 }
 

@@ -43,7 +43,8 @@
  * non-finite points, or with points that do not exist, are left out and counted as
  * `NonFiniteCells`; `DegenerateCells` counts triangles with two equal corners. Normals are taken at
  * unit length; where they are zero or not finite they are estimated. An empty mesh gives an empty
- * output. At most 2^30 points and 2^31 corners of cells; areas must stay within doubles: sizes
+ * output. At most 2^30 points and 2^31 corners of triangles, polygons and strips taken
+ * apart; areas must stay within doubles: sizes
  * between about 1e-80 and 1e80.
  */
 #ifndef vtkSmoothLightSilhouette_h

@@ -94,8 +94,9 @@ struct Kinks
 Kinks measureKinks(const TriangleMesh& mesh, const Light& light)
 {
   Caster caster(mesh, 1.0, serialLoop);
-  const auto chain =
-    caster.silhouette(light, SilhouetteKind::Smooth, { SearchMethod::BruteForce }, serialLoop);
+  LastTracked none;
+  const auto chain = caster.silhouette(
+    light, SilhouetteKind::Smooth, { SearchMethod::BruteForce }, none, serialLoop);
   Kinks kinks;
   for (const Joint& joint : jointsOf(caster, *chain))
   {

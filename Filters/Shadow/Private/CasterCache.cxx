@@ -72,6 +72,10 @@ PreparedCaster& CasterCache::get(vtkPolyData* mesh, const CasterSettings& settin
     prepared = prepare(mesh, settings);
     add({ mesh, time, settings, prepared });
   }
-  this->Held = std::move(prepared);
+  if (this->Held != prepared)
+  {
+    this->Held = std::move(prepared);
+    this->Last = {};
+  }
   return *this->Held;
 }

@@ -42,11 +42,15 @@ public:
   // Prepares the mesh unless this or another filter holds it as it is now.
   PreparedCaster& get(vtkPolyData* mesh, const CasterSettings& settings);
 
+  // What this filter's searches found last on the mesh that is held.
+  shadow::LastTracked& lastTracked() { return this->Last; }
+
   // Bytes of what is held.
   std::size_t memory() const { return this->Held ? this->Held->caster.memory() : 0; }
 
 private:
   std::shared_ptr<PreparedCaster> Held;
+  shadow::LastTracked Last;
 };
 
 #endif

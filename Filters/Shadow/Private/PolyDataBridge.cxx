@@ -14,6 +14,7 @@
 #include "vtkPolygon.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -139,6 +140,17 @@ private:
   vtkNew<vtkIdList> Corners;
 };
 
+// Of polygons or strips.
+vtkIdType countTriangles(vtkCellArray* cells)
+{
+  vtkIdType count = 0;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    count += std::max<vtkIdType>(cells->GetCellSize(cell) - 2, 0);
+  }
+  return count;
+}
+
 // The points that triangles use, in order of first use, and the place of each there.
 std::vector<vtkIdType> usedPoints(
   const std::vector<PointTriangle>& triangles, std::vector<shadow::Index>& place)
@@ -259,11 +271,14 @@ BridgedMesh readMesh(vtkPolyData* input, bool mergePoints)
 
 bool isTooLarge(vtkPolyData* input)
 {
+  // Vertices and sides are numbered together in 32 bits.
   constexpr vtkIdType mostPoints = vtkIdType(1) << 30;
-  constexpr vtkIdType mostCorners = vtkIdType(1) << 31;
-  const vtkIdType corners = input->GetPolys()->GetNumberOfConnectivityIds() +
-    3 * input->GetStrips()->GetNumberOfConnectivityIds();
-  return input->GetNumberOfPoints() > mostPoints || corners > mostCorners;
+  constexpr vtkIdType mostSides = vtkIdType(1) << 31;
+  const vtkIdType ids = input->GetPolys()->GetNumberOfConnectivityIds() +
+    input->GetStrips()->GetNumberOfConnectivityIds();
+  return input->GetNumberOfPoints() > mostPoints ||
+    (3 * ids > mostSides &&
+      3 * (countTriangles(input->GetPolys()) + countTriangles(input->GetStrips())) > mostSides);
 }
 
 std::string describeTooLarge(vtkPolyData* input)
@@ -271,7 +286,7 @@ std::string describeTooLarge(vtkPolyData* input)
   std::ostringstream message;
   message << "The mesh of " << input->GetNumberOfPoints() << " points and "
           << input->GetNumberOfCells()
-          << " cells is too large: at most 2^30 points and 2^31 corners of cells.";
+          << " cells is too large: at most 2^30 points, and 2^31 corners of triangles.";
   return message.str();
 }
 

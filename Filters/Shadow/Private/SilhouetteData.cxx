@@ -219,7 +219,7 @@ void writeSilhouette(const PreparedCaster& prepared, const shadow::SilhouetteCha
     addField<vtkDoubleArray>(output, "MaximumShadowDeviation", { lines.deviation.seen });
   }
   addField<vtkIntArray>(output, "SilhouetteKind", { static_cast<int>(settings.kind) });
-  addField<vtkIntArray>(output, "SearchComplete", { chain.complete ? 1 : 0 });
+  addField<vtkIntArray>(output, "SearchComplete", { settings.complete ? 1 : 0 });
   addCount(output, "EdgesTested", chain.itemsTested);
   addField<vtkIntArray>(output, "MergePoints", { static_cast<int>(settings.caster.mergePoints) });
   addField<vtkDoubleArray>(output, "FeatureAngle", { settings.caster.featureAngle });
@@ -237,6 +237,7 @@ bool readSettings(vtkPolyData* data, SilhouetteSettings& settings)
   const int kind = static_cast<int>(fieldValue(data, "SilhouetteKind", 0, found));
   settings.caster.mergePoints = fieldValue(data, "MergePoints", 0, found) != 0.0;
   settings.caster.featureAngle = fieldValue(data, "FeatureAngle", 0, found);
+  settings.complete = fieldValue(data, "SearchComplete", 0, found) != 0.0;
   settings.kind = static_cast<shadow::SilhouetteKind>(kind);
   return found && kind >= 0 && kind <= static_cast<int>(shadow::SilhouetteKind::Smooth) &&
     std::isfinite(settings.caster.featureAngle) &&

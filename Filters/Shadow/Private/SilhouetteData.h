@@ -14,6 +14,7 @@ struct SilhouetteSettings
   std::array<double, 4> lightPosition; // as the user gave it
   shadow::Light light;
   shadow::SilhouetteKind kind = shadow::SilhouetteKind::Discrete;
+  bool complete = true; // known to be all of it
   CasterSettings caster;
 };
 
