@@ -72,8 +72,8 @@ void AddGeometryArguments(CLI::App& command, GeometryArguments& arguments)
   AddSilhouetteOptions(command, arguments.Silhouette, false);
   command
     .add_option("--receiver", arguments.Receivers,
-      "a mesh that receives the shadow, given again for more of them; a tolerance of mode receiver is "
-      "measured on their bounds")
+      "a mesh that receives the shadow, given again for more of them; the tolerance of mode "
+      "receiver is measured on their bounds")
     ->type_name("MESH")
     ->allow_extra_args(false);
   AddSearchOptions(command, arguments);
@@ -83,9 +83,15 @@ void AddGeometryArguments(CLI::App& command, GeometryArguments& arguments)
 
 void WriteGeometry(const GeometryArguments& arguments, const Geometry& geometry)
 {
-  if (arguments.Silhouette.ToleranceMode == "receiver" && arguments.Receivers.empty())
+  const bool onReceivers = arguments.Silhouette.ToleranceMode == "receiver";
+  if (onReceivers && arguments.Receivers.empty())
   {
     throw UsageError("--tolerance-mode receiver: name the receiving meshes with --receiver");
+  }
+  if (!onReceivers && !arguments.Receivers.empty())
+  {
+    throw UsageError("--receiver " + arguments.Receivers.front() +
+      ": it counts with --tolerance-mode receiver only");
   }
   OutputFile output("--output", arguments.Output, ".vtp");
   Progress progress;

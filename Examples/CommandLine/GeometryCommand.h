@@ -1,6 +1,6 @@
 /**
- * What the commands that write geometry of a mesh and a light share: their arguments, and one run of
- * mesh, silhouette and what comes after it.
+ * What the commands that write geometry of a mesh and a light share: their arguments, and one run
+ * of mesh, silhouette and what comes after it.
  */
 #ifndef GeometryCommand_h
 #define GeometryCommand_h

@@ -22,8 +22,8 @@ struct SilhouetteOptions
   double FeatureAngle = 60.0;
 };
 
-/// Adds --kind (with "none" where noShadow), --tolerance, --tolerance-mode (without receivers there)
-/// and --feature-angle.
+/// Adds --kind (with "none" where noShadow), --tolerance, --tolerance-mode (without receivers
+/// there) and --feature-angle.
 void AddSilhouetteOptions(CLI::App& command, SilhouetteOptions& options, bool noShadow);
 
 /// Adds --light, to be given once.

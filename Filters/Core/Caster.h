@@ -26,8 +26,8 @@ class Caster
 {
 public:
   /// Takes a mesh with corner normals, or estimates them (normals empty), splitting edges whose
-  /// triangles turn by more than featureAngle (radians). Vertices, normals and triangles get numbers
-  /// of the caster's own.
+  /// triangles turn by more than featureAngle (radians). Vertices, normals and triangles get
+  /// numbers of the caster's own.
   Caster(TriangleMesh mesh, double featureAngle, const RangeLoop& loop);
 
   const TriangleMesh& mesh() const { return this->Mesh; }
@@ -52,11 +52,11 @@ public:
   /// The curve of an edge. What it takes its triangles for is kept.
   EdgeCurve curve(Index edge);
 
-  /// The silhouette of a light. The last complete one is kept, and given whenever it was searched for
-  /// as asked, Automatic being content with any. A light on a vertex is taken to be just above the
-  /// surface there, by 1e-6 of the radius, as the rule takes it that calls a field of zero lit.
-  /// Tracking and Randomized begin at what they found last for this caller, and leave there what they
-  /// find; the other methods do not touch it.
+  /// The silhouette of a light. The last complete one is kept, and given whenever it was searched
+  /// for as asked, Automatic being content with any. A light on a vertex is taken to be just above
+  /// the surface there, by 1e-6 of the radius, as the rule takes it that calls a field of zero lit.
+  /// Tracking and Randomized begin at what they found last for this caller, and leave there what
+  /// they find; the other methods do not touch it.
   std::shared_ptr<const SilhouetteChain> silhouette(const Light& light, SilhouetteKind kind,
     SearchSettings settings, LastTracked& last, const RangeLoop& loop);
 

@@ -6,25 +6,18 @@ namespace shadow
 {
 namespace
 {
-bool piecesCancel(const TriangleMesh& mesh, const EdgeTable& edges, const ChainWeights& weights,
-  Index edge)
+bool sidesShareNormals(const TriangleMesh& mesh, const EdgeTable& edges, Index edge)
 {
-  const Side first = edges.sides[edges.firstSide(edge)];
-  const SideNormals normals = sideNormals(mesh, edges, edge, first);
-  int lit = 0;
-  int dark = 0;
-  for (Index i = edges.firstSide(edge); i < edges.firstSide(edge + 1); ++i)
+  const Index first = edges.firstSide(edge);
+  const SideNormals normals = sideNormals(mesh, edges, edge, edges.sides[first]);
+  for (Index i = first + 1; i < edges.firstSide(edge + 1); ++i)
   {
-    const Side side = edges.sides[i];
-    if (!(sideNormals(mesh, edges, edge, side) == normals))
+    if (!(sideNormals(mesh, edges, edge, edges.sides[i]) == normals))
     {
       return false;
     }
-    const int sign = sideSign(mesh, edges, edge, side);
-    lit += sign * weights.corner(side / 3).lit;
-    dark += sign * weights.corner(side / 3).dark;
   }
-  return lit == 0 && dark == 0;
+  return true;
 }
 }
 
@@ -49,15 +42,23 @@ EdgeKind edgeKind(const TriangleMesh& mesh, const EdgeTable& edges, Index edge)
   {
     return EdgeKind::Border;
   }
-  const SideNormals first = sideNormals(mesh, edges, edge, edges.sides[edges.firstSide(edge)]);
-  for (Index i = edges.firstSide(edge) + 1; i < edges.firstSide(edge + 1); ++i)
+  return sidesShareNormals(mesh, edges, edge) ? EdgeKind::Plain : EdgeKind::Crease;
+}
+
+ChainWeight sumOfSides(const TriangleMesh& mesh, const EdgeTable& edges,
+  const ChainWeights& weights, FieldKind kind, Index edge)
+{
+  int lit = 0;
+  int dark = 0;
+  for (Index i = edges.firstSide(edge); i < edges.firstSide(edge + 1); ++i)
   {
-    if (!(sideNormals(mesh, edges, edge, edges.sides[i]) == first))
-    {
-      return EdgeKind::Crease;
-    }
+    const Side side = edges.sides[i];
+    const int sign = sideSign(mesh, edges, edge, side);
+    const ChainWeight weight = weights.silhouette(kind, side / 3);
+    lit += sign * weight.lit;
+    dark += sign * weight.dark;
   }
-  return EdgeKind::Plain;
+  return { lit, dark };
 }
 
 std::vector<EdgeKind> findEdgeKinds(const TriangleMesh& mesh, const EdgeTable& edges)
@@ -100,7 +101,12 @@ std::vector<Index> findLinkEdges(const TriangleMesh& mesh, const EdgeTable& edge
   {
     const Index e = static_cast<Index>(i);
     const bool isPlain = kinds.empty() || kinds[e] == EdgeKind::Plain;
-    if (!(alike && isPlain && edges.isRegular(e)) && !piecesCancel(mesh, edges, weights, e))
+    if (alike && isPlain && edges.isRegular(e))
+    {
+      continue;
+    }
+    const ChainWeight sum = sumOfSides(mesh, edges, weights, FieldKind::Corner, e);
+    if (!sum.isZero() || !sidesShareNormals(mesh, edges, e))
     {
       found.push_back(e);
     }

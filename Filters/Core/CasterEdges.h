@@ -38,6 +38,11 @@ EdgeKind edgeKind(const TriangleMesh& mesh, const EdgeTable& edges, Index edge);
 /// The kind of each edge; empty if all are plain.
 std::vector<EdgeKind> findEdgeKinds(const TriangleMesh& mesh, const EdgeTable& edges);
 
+/// The weights of an edge's sides, each with its sign: how often, from a to b, the edge is in the
+/// silhouette where all at it is lit, and where all is dark. On a plain edge both are 0.
+ChainWeight sumOfSides(const TriangleMesh& mesh, const EdgeTable& edges,
+  const ChainWeights& weights, FieldKind kind, Index edge);
+
 /// Counts for the user of what the edges tell about the mesh.
 struct EdgeDefects
 {

@@ -14,18 +14,18 @@ enum class CapSide
   Dark
 };
 
-/// Multiplicities, with the triangle's own winding, of its lit and its dark part: each -1, 0 or 1.
+/// Multiplicities of a lit and of a dark part: of a triangle, with its own winding, each -1, 0
+/// or 1.
 struct ChainWeight
 {
-  std::int8_t lit = 1;
-  std::int8_t dark = 0;
+  int lit = 1;
+  int dark = 0;
 
   int of(bool isLit) const { return isLit ? this->lit : this->dark; }
 
-  ChainWeight operator-() const
-  {
-    return { static_cast<std::int8_t>(-this->lit), static_cast<std::int8_t>(-this->dark) };
-  }
+  bool isZero() const { return this->lit == 0 && this->dark == 0; }
+
+  ChainWeight operator-() const { return { -this->lit, -this->dark }; }
 };
 
 /// A part of the mesh that is connected through edges.
@@ -45,8 +45,8 @@ struct ChainWeights
 {
   std::vector<MeshPart> parts;
   std::vector<Index> parting;         ///< part of each triangle; empty if there is one part at most
-  std::vector<std::uint8_t> agreeing; ///< whether each triangle's corner normals are on the side that
-                                      ///< its winding says; empty if all are
+  std::vector<std::uint8_t> agreeing; ///< whether each triangle's corner normals are on the side
+                                      ///< that its winding says; empty if all are
 
   Index part(Index triangle) const { return this->parting.empty() ? 0 : this->parting[triangle]; }
 
@@ -77,7 +77,7 @@ struct ChainWeights
   ChainWeight cap(FieldKind kind, Index triangle, bool onDarkField) const
   {
     const ChainWeight weight = this->silhouette(kind, triangle);
-    return onDarkField ? ChainWeight{ 0, static_cast<std::int8_t>(-weight.lit) } : weight;
+    return onDarkField ? ChainWeight{ 0, -weight.lit } : weight;
   }
 };
 

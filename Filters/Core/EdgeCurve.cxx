@@ -97,8 +97,8 @@ void shapeSurface(const TriangleMesh& mesh, const SideNormals& sides, EdgeCurve&
   c.slopeB = glm::dot(nb, c.x) * overB;
   c.acrossA = glm::dot(na, c.y) * overA;
   c.acrossB = glm::dot(nb, c.y) * overB;
-  // What a circle's arc has more than the cubic with the same ends and slopes: it turns by the angle
-  // of (cosine, sine), of which the tangents of the half and of the quarter are needed.
+  // What a circle's arc has more than the cubic with the same ends and slopes: it turns by the
+  // angle of (cosine, sine), of which the tangents of the half and of the quarter are needed.
   const double cosine = 1.0 + c.slopeA * c.slopeB;
   const double sine = c.slopeA - c.slopeB;
   const double half = sine / (std::sqrt(cosine * cosine + sine * sine) + cosine);

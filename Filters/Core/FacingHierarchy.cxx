@@ -68,8 +68,8 @@ FacingHierarchy::Query FacingHierarchy::makeQuery(const Light& light) const
   {
     return { {}, std::numeric_limits<std::int32_t>::max() }; // nothing is certain
   }
-  const double magnitude =
-    glm::length(light.position) + light.w * (glm::length(this->TheBall.centre) + this->TheBall.radius);
+  const double magnitude = glm::length(light.position) +
+    light.w * (glm::length(this->TheBall.centre) + this->TheBall.radius);
   const double margin = 3.0 / one + std::ldexp(64.0, -53) * magnitude / scale;
   const glm::vec4 q = quantized(Vec4(place, reach) / scale);
   Query query;

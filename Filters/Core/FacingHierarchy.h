@@ -16,25 +16,26 @@ struct FacingFound
   std::size_t tested = 0;        ///< items that were looked at
 };
 
-/// Items of two to four fields each, as an edge has its two faces' and a triangle its three corners'.
-/// A field's sign for the light (l, w) is that of q . (l, w), q the facing plane of the field: one
-/// code for faces and corners, points and directions.
+/// Items of two to four fields each, as an edge has its two faces' and a triangle its three
+/// corners'. A field's sign for the light (l, w) is that of q . (l, w), q the facing plane of the
+/// field: one code for faces and corners, points and directions.
 ///
 /// The planes are kept in integers of 16 bits, component by component in blocks of 32 items, over
-/// which lies a tree of boxes in the four dimensions of q, eight to a node: what has one sign in the
-/// box has it everywhere in there. A bound on all roundings, the one of the fields in double
+/// which lies a tree of boxes in the four dimensions of q, eight to a node: what has one sign in
+/// the box has it everywhere in there. A bound on all roundings, the one of the fields in double
 /// included, is added to each decision. The few fields whose sign that leaves open are evaluated.
 /// So the result is that of looking at every field in double.
 ///
-/// Immutable; 8 bytes a field and 2 an item. A search by the tree is in proportion to what is found
-/// and what is near it: about the square root of the number of items on a smooth surface.
+/// Immutable; 8 bytes a field and a little over 1 an item. A search by the tree is in proportion to
+/// what is found and what is near it: about the square root of the number of items on a smooth
+/// surface.
 class FacingHierarchy
 {
 public:
   FacingHierarchy() = default;
 
-  /// planeOf(item, k) is the plane of the item's field k, as facingPlane gives it in the ball. Items
-  /// should come in an order in which neighbours have similar planes.
+  /// planeOf(item, k) is the plane of the item's field k, as facingPlane gives it in the ball.
+  /// Items should come in an order in which neighbours have similar planes.
   template <class PlaneOf>
   FacingHierarchy(unsigned arity, std::size_t count, const Ball& ball, const RangeLoop& loop,
     const PlaneOf& planeOf)

@@ -20,7 +20,7 @@ public:
   void reserve(std::size_t count)
   {
     this->Items.reserve(count);
-    this->rehash(2 * count);
+    this->rehash(2 * std::max(count, this->Items.size()));
   }
 
   Insertion insert(Index item)

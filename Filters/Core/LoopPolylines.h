@@ -8,7 +8,8 @@
 
 namespace shadow
 {
-/// Where the polylines' points are written to, loop after loop, each loop's first point not repeated.
+/// Where the polylines' points are written to, loop after loop, each loop's first point not
+/// repeated.
 struct PolylineArrays
 {
   Vec3* points;

@@ -4,12 +4,13 @@ namespace shadow
 {
 namespace
 {
-/// Newton's steps after which only the last digit may still change: what is left is about the square.
+/// Newton's steps after which only the last digit may still change: what is left is about the
+/// square.
 constexpr double small = 1e-9;
 }
 
-/// Always three of Halley's steps, which are of third order, and one of Newton's: a branch costs more
-/// than a step.
+/// Always three of Halley's steps, which are of third order, and one of Newton's: a branch costs
+/// more than a step.
 void QuarticZeros::refine(std::size_t count)
 {
   // Whole vectors; what is behind the count is computed for nothing.
@@ -20,7 +21,8 @@ void QuarticZeros::refine(std::size_t count)
   }
   for (std::size_t i = 0; i < end; ++i)
   {
-    const Quartic q{ { this->C[0][i], this->C[1][i], this->C[2][i], this->C[3][i], this->C[4][i] } };
+    const Quartic q{ { this->C[0][i], this->C[1][i], this->C[2][i], this->C[3][i],
+      this->C[4][i] } };
     double s = this->S[i];
     for (int step = 0; step < 3; ++step)
     {

@@ -121,9 +121,10 @@ double ShadowReceiver::deviationBound(const CubicCurve& curve) const
   return bound;
 }
 
-/// Projected on a plane the curve is a rational cubic. Its points are means of the projected control
-/// points, of which the inner ones have at most 3 r / (1 + 3 r) of the weight, r being the largest
-/// ratio of an inner one's own weight to an outer one's; and the distance from a segment is convex.
+/// Projected on a plane the curve is a rational cubic. Its points are means of the projected
+/// control points, of which the inner ones have at most 3 r / (1 + 3 r) of the weight, r being the
+/// largest ratio of an inner one's own weight to an outer one's; and the distance from a segment is
+/// convex.
 double ShadowReceiver::deviationOn(const Face& face, const CubicCurve& curve) const
 {
   std::array<Vec3, 4> shadow;

@@ -5,8 +5,8 @@
 
 namespace shadow
 {
-/// The bounds of the receivers of one light's shadow. A shadow is measured on that face of the bounds
-/// through which its ray leaves them: what is nearer to the light sees it smaller.
+/// The bounds of the receivers of one light's shadow. A shadow is measured on that face of the
+/// bounds through which its ray leaves them: what is nearer to the light sees it smaller.
 class ShadowReceiver
 {
 public:
@@ -25,7 +25,8 @@ private:
   };
 
   /// A face and the control points of a curve. The larger `nearness` is, the sooner a point's ray
-  /// comes to the face; being linear in the point it is bounded by its values at the control points.
+  /// comes to the face; being linear in the point it is bounded by its values at the control
+  /// points.
   struct Meeting
   {
     std::array<double, 4> nearness;

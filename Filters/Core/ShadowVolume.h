@@ -1,40 +1,10 @@
 /// The shadow volume of a caster: caps, gaps, walls and far cap as one closed chain of triangles.
 #pragma once
 
-#include "Caster.h"
+#include "SilhouetteMatch.h"
 
 namespace shadow
 {
-/// A silhouette as polylines: what a silhouette filter gave.
-struct SilhouetteInput
-{
-  std::vector<Vec3> points;
-  std::vector<Vec3> meshPoints;
-  std::vector<Index> nodes;       ///< node of each point, None between nodes
-  std::vector<Index> loopPoints;  ///< points of the loops, loop after loop, the first not repeated
-  std::vector<std::size_t> first; ///< where each loop begins, and the end
-  std::vector<int> multiplicity;  ///< of each loop
-};
-
-/// A number for a node that is the same however the silhouette was searched for: a vertex's own, and
-/// behind these for a crossing that of the first side that crosses there.
-Index nodeNumber(const Caster& caster, const SilhouetteChain& chain, Index node);
-
-/// The chain's node of that number, or None.
-Index nodeOfNumber(const Caster& caster, const SilhouetteChain& chain, Index number);
-
-/// How much of a chain polylines are.
-enum class Match
-{
-  None, ///< they are another mesh's, or another light's
-  Part, ///< some pieces are missing, as an incomplete search may leave them out
-  Whole
-};
-
-/// Whether the polylines are the silhouette that the chain describes: nodes of it at the same places
-/// on the mesh, joined by its pieces.
-Match match(const SilhouetteInput& silhouette, const Caster& caster, const SilhouetteChain& chain);
-
 enum class VolumePart : std::uint8_t
 {
   Cap,
@@ -50,8 +20,8 @@ struct VolumeTriangle
   int multiplicity; ///< at least 1
 };
 
-/// The walls along a loop as one strip of triangles: a loop's point, where its shadow ends, the next
-/// point, and so on around; the first two come again at the end.
+/// The walls along a loop as one strip of triangles: a loop's point, where its shadow ends, the
+/// next point, and so on around; the first two come again at the end.
 struct WallStrip
 {
   std::vector<Index> points;

@@ -50,7 +50,6 @@ public:
     this->solveCrossings();
     this->orderCrossings();
     this->addChords(found);
-    this->Chain.chords = this->Chain.pieces.size();
     for (const Index e : found.edges)
     {
       this->addLinks(e);
@@ -193,9 +192,9 @@ private:
       curves[i] = this->TheCaster.curve(crossings[i].edge);
       const bool together = curves[i].shape == EdgeCurve::Shape::Surface;
       zeros.set(i,
-        together ? fieldQuartic(curves[i], this->Chain.light) : Quartic{ { 0.0, 1.0, 0.0, 0.0, 0.0 } },
-        guessCrossing(
-          curves[i], ends[i].normalA, ends[i].normalB, ends[i].fieldA, ends[i].fieldB));
+        together ? fieldQuartic(curves[i], this->Chain.light)
+                 : Quartic{ { 0.0, 1.0, 0.0, 0.0, 0.0 } },
+        guessCrossing(curves[i], ends[i].normalA, ends[i].normalB, ends[i].fieldA, ends[i].fieldB));
     }
     zeros.refine(count);
     for (std::size_t i = 0; i < count; ++i)
@@ -255,7 +254,8 @@ private:
       const Index t = found.triangles[i];
       const CrossedSides sides = crossedSides[found.litCorners[i]];
       const ChainWeight weight = weights.corner(t);
-      this->addPiece(this->crossingNode(this->crossingOfSide(this->Chords[i].toDark, t, sides.toDark)),
+      this->addPiece(
+        this->crossingNode(this->crossingOfSide(this->Chords[i].toDark, t, sides.toDark)),
         this->crossingNode(this->crossingOfSide(this->Chords[i].toLit, t, sides.toLit)), t, true,
         weight.lit - weight.dark);
     }

@@ -64,7 +64,6 @@ struct SilhouetteChain
   std::vector<Index> firstCrossing; ///< of each crossed edge by its place there, and the end
   std::vector<Crossing> crossings;  ///< of each crossed edge in order of parameter
   std::vector<Piece> pieces;        ///< chords, then links
-  std::size_t chords = 0;           ///< how many pieces are chords
   std::vector<CubicCurve> curves;   ///< Smooth: the curve of each piece
 
   /// First and end of the crossings on an edge; empty if it has none.

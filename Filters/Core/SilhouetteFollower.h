@@ -66,10 +66,8 @@ public:
   bool startAt(Index triangle);
   bool startOn(Index edge);
 
-  /// How many triangles and edges were looked at; some of them more than once.
-  std::size_t tested() const { return this->Tested; }
-
-  /// All that was taken; of a corner field's edges those that can bear pieces.
+  /// All that was taken, and how many triangles and edges were looked at, some of them more than
+  /// once; of a corner field's edges those that can bear pieces.
   SearchResult result() const;
 
 private:

@@ -44,15 +44,16 @@ private:
     {
       const Index node = std::max(p.from, p.to);
       vertices += p.from < firstCrossing;
-      this->NodeCount =
-        node < firstCrossing ? this->NodeCount : std::max(this->NodeCount, std::size_t(node - firstCrossing) + 1);
+      this->NodeCount = node < firstCrossing
+        ? this->NodeCount
+        : std::max(this->NodeCount, std::size_t(node - firstCrossing) + 1);
     }
     IndexSet numbers;
     numbers.reserve(vertices);
-    const auto numberOf = [&](Index node)
-    {
-      return node >= firstCrossing ? node - firstCrossing
-                                   : static_cast<Index>(this->NodeCount) + numbers.insert(node).place;
+    const auto numberOf = [&](Index node) {
+      return node >= firstCrossing
+        ? node - firstCrossing
+        : static_cast<Index>(this->NodeCount) + numbers.insert(node).place;
     };
     this->From.reserve(this->Pieces.size());
     this->To.reserve(this->Pieces.size());

@@ -1,5 +1,6 @@
 #include "SilhouetteSearch.h"
 
+#include "CasterEdges.h"
 #include "FacingPlane.h"
 
 #include <algorithm>
@@ -9,22 +10,6 @@ namespace shadow
 {
 namespace
 {
-/// Whether an edge's pieces cancel wherever all corners at it are lit, and where all are dark.
-bool cancelsUnlessMixed(const SearchedMesh& s, Index edge)
-{
-  int lit = 0;
-  int dark = 0;
-  for (Index i = s.edges.firstSide(edge); i < s.edges.firstSide(edge + 1); ++i)
-  {
-    const Side side = s.edges.sides[i];
-    const int sign = sideSign(s.mesh, s.edges, edge, side);
-    const ChainWeight weight = s.weights.corner(side / 3);
-    lit += sign * weight.lit;
-    dark += sign * weight.dark;
-  }
-  return lit == 0 && dark == 0;
-}
-
 /// Of a crease's four fields: those at the ends of its first side, then those of its second.
 Index creaseNormal(const SearchedMesh& s, Index edge, unsigned k)
 {
@@ -49,8 +34,9 @@ SearchResult searchFaces(const SearchedMesh& s, const SearchIndex& index, const 
   {
     // The first side runs from a to b. A closed part counts its lit side, any other one both.
     const int direction = found.lit[i] == 1 ? 1 : -1;
-    const bool once =
-      oneKind ? closed : s.weights.parts[s.weights.part(s.edges.sides[2 * result.edges[i]] / 3)].closed;
+    const bool once = oneKind
+      ? closed
+      : s.weights.parts[s.weights.part(s.edges.sides[2 * result.edges[i]] / 3)].closed;
     result.multiplicities[i] = once ? direction : 2 * direction;
   }
   // Numbered behind the regular edges.
@@ -114,7 +100,8 @@ SearchIndex buildSearchIndex(const SearchedMesh& s, FieldKind kind, const RangeL
     [&](Index t, unsigned k) { return cornerPlane(s.mesh, s.mesh.cornerNormals[t][k], ball); });
   for (const Index e : s.linkEdges)
   {
-    const bool fits = s.edges.sideCount(e) == 2 && cancelsUnlessMixed(s, e);
+    const ChainWeight sum = sumOfSides(s.mesh, s.edges, s.weights, FieldKind::Corner, e);
+    const bool fits = s.edges.sideCount(e) == 2 && sum.isZero();
     (fits ? index.creaseEdges : index.apart).push_back(e);
   }
   index.creases = FacingHierarchy(4, index.creaseEdges.size(), ball, loop,

@@ -32,7 +32,8 @@ struct SearchResult
 {
   std::vector<Index> triangles; ///< of a corner field, those with lit and dark corners; ascending
   std::vector<std::uint8_t> litCorners; ///< of each of them, bit k: corner k is lit
-  std::vector<Index> edges; ///< of a face field the silhouette, of a corner field the links; ascending
+  std::vector<Index>
+    edges; ///< of a face field the silhouette, of a corner field the links; ascending
   std::vector<int> multiplicities; ///< of a face field, of each edge from a to b
   std::size_t tested = 0;   ///< triangles and edges that were looked at
 };
@@ -47,8 +48,8 @@ struct SearchedMesh
 };
 
 /// All that a kind of field can make a silhouette of: for faces the regular edges, for corners the
-/// triangles and the creases whose pieces cancel unless they are mixed. What is none of that is kept
-/// apart and looked at for every light.
+/// triangles and the creases whose pieces cancel unless they are mixed. What is none of that is
+/// kept apart and looked at for every light.
 struct SearchIndex
 {
   FieldKind kind;
@@ -74,8 +75,8 @@ inline SearchResult searchAll(
   return search(searched, buildSearchIndex(searched, kind, loop), light, false, loop);
 }
 
-/// Whether a corner field's silhouette runs through a triangle. isLit(n) tells whether corner normal n
-/// is lit.
+/// Whether a corner field's silhouette runs through a triangle. isLit(n) tells whether corner
+/// normal n is lit.
 template <class IsLit>
 bool isMixed(const TriangleMesh& mesh, const IsLit& isLit, Index triangle)
 {

@@ -43,22 +43,6 @@ void startFrom(const SearchedMesh& searched, const SearchResult& last, Silhouett
   }
 }
 
-/// Whether pieces of an edge remain where all is lit, or where all is dark.
-bool isBorder(const SearchedMesh& searched, FieldKind kind, Index edge)
-{
-  int lit = 0;
-  int dark = 0;
-  for (Index i = searched.edges.firstSide(edge); i < searched.edges.firstSide(edge + 1); ++i)
-  {
-    const Side side = searched.edges.sides[i];
-    const int sign = sideSign(searched.mesh, searched.edges, edge, side);
-    const ChainWeight weight = searched.weights.silhouette(kind, side / 3);
-    lit += sign * weight.lit;
-    dark += sign * weight.dark;
-  }
-  return lit != 0 || dark != 0;
-}
-
 /// Items in the order in which a sample numbers them: edges, or triangles and then link edges.
 std::size_t countItems(const SearchedMesh& searched, FieldKind kind)
 {
@@ -119,7 +103,9 @@ TrackingSeeds findTrackingSeeds(const SearchedMesh& searched, FieldKind kind)
   }
   for (std::size_t e = 0; e < searched.edges.edges.size(); ++e)
   {
-    if (isBorder(searched, kind, static_cast<Index>(e)))
+    const ChainWeight sum = sumOfSides(
+      searched.mesh, searched.edges, searched.weights, kind, static_cast<Index>(e));
+    if (!sum.isZero())
     {
       seeds.borders.push_back(static_cast<Index>(e));
     }

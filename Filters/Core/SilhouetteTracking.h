@@ -18,8 +18,8 @@ struct TrackedResult
   bool complete = false; ///< whether it is known to be all; false where it just may be
 };
 
-/// What a caller's searches of these methods found last, by kind of field: where its next ones begin.
-/// On one mesh.
+/// What a caller's searches of these methods found last, by kind of field: where its next ones
+/// begin. On one mesh.
 struct LastTracked
 {
   std::array<std::optional<SearchResult>, 2> found;

@@ -33,7 +33,8 @@ struct SubdivisionLimit
 
 /// Splits at the middle until each part's deviation is within the limit, and calls emit(s) for each
 /// inner breakpoint's parameter, ascending. deviationOf(curve) is the bound on a part's deviation.
-/// Gives the largest that is left: above the limit only if the curve was split 2^maximumDepth times.
+/// Gives the largest that is left: above the limit only if the curve was split 2^maximumDepth
+/// times.
 template <class DeviationOf, class Emit>
 Deviation subdivide(const CubicCurve& curve, const SubdivisionLimit& limit,
   const DeviationOf& deviationOf, const Emit& emit, double from = 0.0, double to = 1.0,

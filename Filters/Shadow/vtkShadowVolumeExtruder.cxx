@@ -30,7 +30,8 @@ shadow::Caps coreCaps(int caps)
 shadow::SilhouetteInput discreteSilhouette(
   const shadow::Caster& caster, const shadow::SilhouetteChain& chain)
 {
-  const shadow::SilhouetteLoops loops = shadow::traceLoops(chain.pieces, caster.mesh().points.size());
+  const shadow::SilhouetteLoops loops =
+    shadow::traceLoops(chain.pieces, caster.mesh().points.size());
   assert(loops.balanced); // a boundary always is
   return toInput(caster, chain, loops);
 }
@@ -103,7 +104,8 @@ int vtkShadowVolumeExtruder::RequestData(
   {
     vtkErrorMacro("The silhouette on port 1 is not that of the mesh on port 0, which has "
       << input->GetNumberOfCells()
-      << " cells: connect vtkSmoothLightSilhouette to the same mesh and leave its output as it is.");
+      << " cells: connect vtkSmoothLightSilhouette to the same mesh and leave its output as it "
+         "is.");
     return 0;
   }
   const double length = this->Length > 0.0 ? this->Length : 20.0 * caster.radius();

@@ -22,13 +22,13 @@
  *   at Length along their direction.
  * - CellData `Part` (0 cap, 1 gap between a smooth silhouette and the mesh, 2 wall, 3 far cap),
  *   `Multiplicity` (how often the triangle counts, at least 1).
- * - FieldData `Closed`: 1 if the directed edges of all triangles, taken with their multiplicity, sum
- *   to zero: so it is by construction, as silhouettes that are not of the mesh's chain are refused,
- *   unless Caps is NONE or the silhouette's search left some of it out.
+ * - FieldData `Closed`: 1 if the directed edges of all triangles, taken with their multiplicity,
+ * sum to zero: so it is by construction, as silhouettes that are not of the mesh's chain are
+ * refused, unless Caps is NONE or the silhouette's search left some of it out.
  *
  * Errors: a silhouette that does not belong to the mesh gives vtkErrorMacro and no output, as does
- * a light that is not finite or is all zero. At most 2^30 points and 2^31 corners of triangles, polygons and strips taken
- * apart.
+ * a light that is not finite or is all zero. At most 2^30 points and 2^31 corners of triangles,
+ * polygons and strips taken apart.
  */
 #ifndef vtkShadowVolumeExtruder_h
 #define vtkShadowVolumeExtruder_h
@@ -78,9 +78,9 @@ public:
 
   ///@{
   /**
-   * Which side of closed parts is the near cap: AUTOMATIC (the dark side), LIT, DARK, or NONE: walls
-   * and gaps alone, which are then not closed. Parts that are not closed have both sides as their
-   * cap. Default AUTOMATIC.
+   * Which side of closed parts is the near cap: AUTOMATIC (the dark side), LIT, DARK, or NONE:
+   * walls and gaps alone, which are then not closed. Parts that are not closed have both sides as
+   * their cap. Default AUTOMATIC.
    *
    * The dark cap leaves the inside of a closed part out of the shadow: what lies in there is lit,
    * which only an eye in there sees. The lit cap has the inside in shadow, but casts nothing from

@@ -104,8 +104,9 @@ int vtkSmoothLightSilhouette::RequestData(
   const vtkBoundingBox receivers = onReceivers ? boundsOf(inputVector[1]) : vtkBoundingBox();
   if (onReceivers && !receivers.IsValid())
   {
-    vtkErrorMacro("ToleranceMode RECEIVER needs receivers with finite points on port 1: connect some, "
-                  "or take WORLD or RELATIVE.");
+    vtkErrorMacro(
+      "ToleranceMode RECEIVER needs receivers with finite points on port 1: connect some, "
+      "or take WORLD or RELATIVE.");
     return 0;
   }
 

@@ -23,14 +23,15 @@
  *
  * Output: polylines, one cell a loop; a loop repeats its first point id at its end.
  * - PointData `Normals` (3, double, unit), `MeshPoints` (3, double: the point on the mesh that
- *   belongs to it), `MeshNodes` (vtkIdType: a number of the vertex or the crossing of the
- *   mesh, -1 between these; vtkShadowVolumeExtruder needs it).
+ *   belongs to it), `MeshNodes` (vtkIdType: a number of the vertex or the crossing on the
+ *   mesh, -1 between these; not of the input's points. vtkShadowVolumeExtruder needs it).
  * - CellData `Kind` (0 contour, 1 crease, 2 border, 3 mixed), `Closed` (always 1), `Multiplicity`.
  * - FieldData `LightPosition` (4), `MaximumDeviation` (world units: no point of a polyline's curve
  *   is farther than this from the polyline), `MaximumShadowDeviation` (with ToleranceMode RECEIVER:
- *   the same of the shadows on the receivers' bounds), `SilhouetteKind`, `EdgesTested` (how many edges, or
- *   triangles and creases, the search looked at), `SearchComplete`, `MergePoints`, `FeatureAngle`,
- *   and what was found in the mesh: `DegenerateCells`, `NonFiniteCells`, `BoundaryEdges`,
+ *   the same of the shadows on the receivers' bounds; infinite where the light touches a curve),
+ * `SilhouetteKind`, `EdgesTested` (how many edges, or triangles and creases, the search looked at;
+ * TRACKING and RANDOMIZED count each look), `SearchComplete`, `MergePoints`, `FeatureAngle`, and
+ * what was found in the mesh: `DegenerateCells`, `NonFiniteCells`, `BoundaryEdges`,
  *   `NonManifoldEdges`, `InconsistentEdges`, `EstimatedNormals` (corner normals that the mesh did
  *   not bring; 0 if it has normals) and `FallbackNormals` (those of them that are angle-weighted
  *   means, see FeatureAngle).
@@ -88,7 +89,7 @@ public:
   };
 
   /**
-   * Takes receivers from a filter's output (port 1, optional, any data with bounds; several may be
+   * Takes receivers from a filter's output (port 1, optional, any vtkDataSet; several may be
    * added). They count only for ToleranceMode RECEIVER.
    */
   void SetReceiverConnection(vtkAlgorithmOutput* receivers);
@@ -117,16 +118,17 @@ public:
   ///@{
   /**
    * How the silhouette is searched for.
-   * - BRUTE_FORCE looks at the whole mesh, HIERARCHY only at what a tree of boxes over the mesh cannot
-   *   show to be all lit or all dark. Both find all there is, the same bit for bit. What they need is
-   *   made with the first update. AUTOMATIC is HIERARCHY, except on meshes of less than 2,000
+   * - BRUTE_FORCE looks at the whole mesh, HIERARCHY only at what a tree of boxes over the mesh
+   * cannot show to be all lit or all dark. Both find all there is, the same bit for bit. What they
+   * need is made with the first update. AUTOMATIC is HIERARCHY, except on meshes of less than 2,000
    *   triangles. Default AUTOMATIC.
    * - TRACKING walks over the triangles to the silhouette and follows it, from the last light's
    *   silhouette, from borders, and from a few triangles of each connected part (after Mustafa et
-   *   al.). RANDOMIZED looks at SampleFraction of the mesh, drawn from Seed, and at the last light's
-   *   silhouette, and follows what it finds (Markosian et al. 1997). Both give whole closed loops but
-   *   may miss some: `SearchComplete` is 0 unless they happened to look at everything. They are here
-   *   to be compared: HIERARCHY is complete and as fast.
+   *   al.). RANDOMIZED looks at SampleFraction of the mesh, drawn from Seed, and at the last
+   * light's silhouette, and follows what it finds (Markosian et al. 1997). What they find depends
+   * on the lights before, those of this filter and this mesh. Both give whole closed loops but may
+   * miss some: `SearchComplete` is 0 unless they happened to look at everything. They are here to
+   * be compared: HIERARCHY is complete and as fast.
    */
   vtkSetClampMacro(Search, int, AUTOMATIC, RANDOMIZED);
   vtkGetMacro(Search, int);
@@ -139,9 +141,9 @@ public:
 
   ///@{
   /**
-   * Of RANDOMIZED: the share of the edges (DISCRETE) or triangles that is looked at, 0 to 1, default
-   * 0.01, and the seed of the sample, default 1. A loop of n pieces is missed with a probability of
-   * about (1 - SampleFraction)^n.
+   * Of RANDOMIZED: the share of the edges (DISCRETE) or triangles that is looked at, 0 to 1,
+   * default 0.01, and the seed of the sample, default 1. A loop of n pieces is missed with a
+   * probability of about (1 - SampleFraction)^n.
    */
   vtkSetClampMacro(SampleFraction, double, 0.0, 1.0);
   vtkGetMacro(SampleFraction, double);
@@ -153,11 +155,12 @@ public:
   /**
    * The farthest that SMOOTH's polyline may be from its curve: as a share of the diagonal of the
    * mesh's bounds (RELATIVE), in world units (WORLD), or in world units where it is seen, from the
-   * shadow of its curve on the receivers of port 1 (RECEIVER). These are taken by the bounds of them
-   * all: a shadow is measured on the face through which its ray leaves the bounds, at the slant at
-   * which it meets it. That is exact for a receiver that is flat and along the axes; a surface inside
-   * of the bounds may lie at a sharper angle to the light. Parts whose shadow misses the bounds are
-   * not subdivided. The other kinds are polylines in themselves. Default 1e-4, RELATIVE.
+   * shadow of its curve on the receivers of port 1 (RECEIVER). These are taken by the bounds of
+   * them all: a shadow is measured on the face through which its ray leaves the bounds, at the
+   * slant at which it meets it. That is exact for a receiver that is flat and along the axes; a
+   * surface inside of the bounds may lie at a sharper angle to the light. Parts whose shadow misses
+   * the bounds are not subdivided. The other kinds are polylines in themselves. Default 1e-4,
+   * RELATIVE.
    */
   vtkSetClampMacro(Tolerance, double, 1e-12, VTK_DOUBLE_MAX);
   vtkGetMacro(Tolerance, double);
@@ -174,7 +177,8 @@ public:
    * than this angle split them: such an edge is a crease. In degrees, 0 to 180, default 60.
    * A polynomial is fitted to the points around each (Cazals & Pouget 2005), which keeps the
    * smooth contour's order of 4. Where that is not possible (too few points, faces that turn by
-   * more than 60 degrees among them, or a flat face beside a bend) the normal is the faces' mean, weighted by their angles.
+   * more than 60 degrees among them, or a flat face beside a bend) the normal is the faces' mean,
+   * weighted by their angles.
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
@@ -191,8 +195,8 @@ public:
   ///@}
 
   /**
-   * What is kept of the mesh between updates, trees included, in kibibytes as GetActualMemorySize of
-   * data. Filters that read the same mesh share it.
+   * What is kept of the mesh between updates, without the last silhouette, in kibibytes as
+   * GetActualMemorySize of data. Filters that read the same mesh share it.
    */
   unsigned long GetKeptMemorySize() const;
 

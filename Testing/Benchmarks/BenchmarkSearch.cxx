@@ -1,6 +1,6 @@
-// What the methods of search cost and miss: time of a light move, full update with polydata out, and
-// the share of the silhouette's length that is not found, against how much of the mesh is looked at.
-// Then how fast brute force streams what it looks at, beside the machine's triad.
+// What the methods of search cost and miss: time of a light move, full update with polydata out,
+// and the share of the silhouette's length that is not found, against how much of the mesh is
+// looked at. Then how fast brute force streams what it looks at, beside the machine's triad.
 
 #include "Measure.h"
 #include "PolylineDistance.h"
@@ -134,7 +134,8 @@ void streamBruteForce()
     normals->SetInputConnection(loop->GetOutputPort());
     normals->SplittingOff();
     normals->Update();
-    for (const int kind : { vtkSmoothLightSilhouette::DISCRETE, vtkSmoothLightSilhouette::ACCURATE })
+    for (const int kind :
+      { vtkSmoothLightSilhouette::DISCRETE, vtkSmoothLightSilhouette::ACCURATE })
     {
       const bool faces = kind == vtkSmoothLightSilhouette::DISCRETE;
       shadowtest::ShadowPipeline pipeline(normals->GetOutput(), lightAt(0), kind);
@@ -153,14 +154,15 @@ void streamBruteForce()
       const double tree = timeOf(vtkSmoothLightSilhouette::HIERARCHY);
       // Eight bytes a field: two an edge of faces, three a triangle of corners. What the hierarchy
       // leaves out is all that the two differ in.
-      const double bytes =
-        static_cast<double>(normals->GetOutput()->GetNumberOfCells()) * (faces ? 1.5 * 2 : 3.0) * 8.0;
+      const double bytes = static_cast<double>(normals->GetOutput()->GetNumberOfCells()) *
+        (faces ? 1.5 * 2 : 3.0) * 8.0;
       pipeline.Silhouette->SetSearch(vtkSmoothLightSilhouette::HIERARCHY);
       const double share = shadowtest::fieldValue(pipeline.silhouette(), "EdgesTested") /
         ((faces ? 1.5 : 1.0) * static_cast<double>(normals->GetOutput()->GetNumberOfCells()));
       const double rate = bytes * (1.0 - share) / (1e-3 * (all - tree));
-      std::printf("%9lld triangles, %-6s %7.3f ms, with the hierarchy %7.3f: %5.1f GB/s, %3.0f%% of "
-                  "the triad\n",
+      std::printf(
+        "%9lld triangles, %-6s %7.3f ms, with the hierarchy %7.3f: %5.1f GB/s, %3.0f%% of "
+        "the triad\n",
         static_cast<long long>(normals->GetOutput()->GetNumberOfCells()),
         faces ? "faces" : "corners", all, tree, 1e-9 * rate, 100.0 * rate / machine);
     }

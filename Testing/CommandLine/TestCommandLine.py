@@ -375,6 +375,7 @@ class WrongUsage(ToolTest):
             ((*self.SILHOUETTE, "--tolerance-mode", "pixels"), "pixels"),
             ((*self.SILHOUETTE, "--feature-angle", "181"), "--feature-angle 181"),
             ((*self.SILHOUETTE, "--tolerance-mode", "receiver"), "--receiver"),
+            ((*self.SILHOUETTE, "--receiver", "ground.obj"), "--receiver ground.obj"),
             ((*self.SILHOUETTE, "--search", "guess"), "guess"),
             ((*self.SILHOUETTE, "--sample-fraction", "1.5"), "--sample-fraction 1.5"),
             ((*self.SILHOUETTE, "--sample-fraction", "nan"), "--sample-fraction nan"),

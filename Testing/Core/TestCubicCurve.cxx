@@ -37,15 +37,16 @@ TEST(CubicCurve, DerivativeIsTheSlope)
 // An S-shaped curve meets its chord in the middle: a bound must not look there only.
 TEST(CubicCurve, DeviationBoundHolds)
 {
-  const CubicCurve s{ { Vec3(0.0), Vec3(1.0, 1.0, 0.0), Vec3(2.0, -1.0, 0.0), Vec3(3.0, 0.0, 0.0) } };
+  const CubicCurve s{ { Vec3(0.0), Vec3(1.0, 1.0, 0.0), Vec3(2.0, -1.0, 0.0),
+    Vec3(3.0, 0.0, 0.0) } };
   for (const CubicCurve& curve : { Bent, s })
   {
     double largest = 0.0;
     for (int i = 0; i <= 1000; ++i)
     {
       const double t = 0.001 * i;
-      largest =
-        std::fmax(largest, glm::length(curve.point(t) - (curve.b[0] + t * (curve.b[3] - curve.b[0]))));
+      largest = std::fmax(
+        largest, glm::length(curve.point(t) - (curve.b[0] + t * (curve.b[3] - curve.b[0]))));
     }
     EXPECT_LE(largest, curve.deviationBound());
     EXPECT_GT(largest, 0.25 * curve.deviationBound());
@@ -90,5 +91,6 @@ TEST(SmoothContour, SegmentsWithoutLengthOrTangentAreFinite)
 {
   const Vec3 p(1.0, 2.0, 3.0);
   EXPECT_TRUE(isFinite(contourSegment(p, p, p, p).point(0.5)));
-  EXPECT_TRUE(isFinite(contourSegment(p, Vec3(0.0, 0.0, 1.0), p + Vec3(0.0, 0.0, 1.0), Vec3(0.0)).point(0.5)));
+  EXPECT_TRUE(isFinite(
+    contourSegment(p, Vec3(0.0, 0.0, 1.0), p + Vec3(0.0, 0.0, 1.0), Vec3(0.0)).point(0.5)));
 }

@@ -11,7 +11,8 @@ using namespace shadow;
 
 namespace
 {
-/// Pairs of neighbours among n planes that touch a sphere around `centre`, with exact fields beside.
+/// Pairs of neighbours among n planes that touch a sphere around `centre`, with exact fields
+/// beside.
 struct Sphere
 {
   /// Of a spiral by the golden angle, points 21 apart are neighbours.

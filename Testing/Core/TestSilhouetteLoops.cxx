@@ -36,7 +36,8 @@ constexpr std::size_t vertexCounts[] = { 0, 3, 5, 100 };
 
 TEST(SilhouetteLoops, LoopsThatMeetAtANode)
 {
-  const std::vector<Piece> pieces = { piece(9, 4), piece(4, 7), piece(4, 1), piece(1, 4), piece(7, 9) };
+  const std::vector<Piece> pieces = { piece(9, 4), piece(4, 7), piece(4, 1), piece(1, 4),
+    piece(7, 9) };
   for (const std::size_t vertexCount : vertexCounts)
   {
     const SilhouetteLoops loops = traceLoops(pieces, vertexCount);

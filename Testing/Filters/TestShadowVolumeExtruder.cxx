@@ -320,6 +320,13 @@ TEST(ShadowVolumeExtruder, TamperedSilhouettesAreErrors)
     [](vtkPolyData* s) { s->GetCellData()->GetArray("Multiplicity")->SetComponent(0, 0, 2.0); },
     [](vtkPolyData* s) { s->GetPoints()->SetPoint(0, 5.0, 0.0, 0.0); },
     [](vtkPolyData* s) { s->GetFieldData()->RemoveArray("LightPosition"); },
+    [](vtkPolyData* s) { s->GetFieldData()->RemoveArray("SearchComplete"); },
+    [](vtkPolyData* s) {
+      // Loops may be missing only where the search says so.
+      vtkNew<vtkCellArray> none;
+      s->SetLines(none);
+      s->GetCellData()->GetArray("Multiplicity")->SetNumberOfTuples(0);
+    },
     [](vtkPolyData* s) { s->GetLines()->GetConnectivityArray()->SetComponent(1, 0, 1e9); },
     [](vtkPolyData* s) { s->GetLines()->GetConnectivityArray()->SetComponent(1, 0, -5.0); },
     [](vtkPolyData* s) { s->GetLines()->GetConnectivityArray()->SetComponent(0, 0, 7.0); }

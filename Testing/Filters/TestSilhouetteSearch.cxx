@@ -135,8 +135,8 @@ TEST(SilhouetteSearch, TheHierarchyLooksAtLittle)
 // On a mesh of a few triangles looking at all of them is as fast.
 TEST(SilhouetteSearch, AutomaticTakesTheHierarchyOnLargeMeshes)
 {
-  for (const auto& [mesh, all] :
-    { std::pair{ shadowtest::sphere(10, 20), 540.0 }, std::pair{ shadowtest::torus(60, 30), 5400.0 } })
+  for (const auto& [mesh, all] : { std::pair{ shadowtest::sphere(10, 20), 540.0 },
+         std::pair{ shadowtest::torus(60, 30), 5400.0 } })
   {
     const auto filter = makeFilter(
       mesh, vtkSmoothLightSilhouette::AUTOMATIC, vtkSmoothLightSilhouette::DISCRETE);

@@ -121,7 +121,8 @@ TEST(SmoothLightSilhouette, DiscreteAndAccurateEqualTheOracle)
     const shadowtest::SegmentChain discrete =
       shadowtest::discreteSilhouette(scene.Surface, scene.Light.data());
     ShadowPipeline pipeline(scene.Surface, scene.Light, vtkSmoothLightSilhouette::DISCRETE);
-    const double size = shadowtest::tolerance::SamePoint * std::fmax(scene.Surface->GetLength(), 1e-300);
+    const double size =
+      shadowtest::tolerance::SamePoint * std::fmax(scene.Surface->GetLength(), 1e-300);
     if (scene.Exact || discrete.Margin > shadowtest::tolerance::TooClose)
     {
       const auto difference =
@@ -375,8 +376,13 @@ TEST(SmoothLightSilhouette, ReceiversAreWantedWhereTheToleranceIsTheirs)
   vtkNew<vtkSmoothLightSilhouette> filter;
   filter->SetInputData(shadowtest::torus(24, 12));
   filter->SetToleranceModeToReceiver();
-  for (int i = 0; i < 2; ++i)
+  vtkNew<vtkPolyData> empty;
+  vtkNew<vtkPolyData> endless;
+  endless->DeepCopy(shadowtest::ground(-1.0, 2.0));
+  endless->GetPoints()->SetPoint(0, 0.0, 0.0, -std::numeric_limits<double>::infinity());
+  for (vtkPolyData* receiver : { static_cast<vtkPolyData*>(nullptr), empty.Get(), endless.Get() })
   {
+    filter->SetInputData(1, receiver);
     vtkNew<vtkTest::ErrorObserver> errors;
     filter->AddObserver(vtkCommand::ErrorEvent, errors);
     filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
@@ -384,8 +390,6 @@ TEST(SmoothLightSilhouette, ReceiversAreWantedWhereTheToleranceIsTheirs)
     EXPECT_TRUE(errors->GetError());
     EXPECT_NE(errors->GetErrorMessage().find("port 1"), std::string::npos);
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
-    vtkNew<vtkPolyData> empty;
-    filter->SetInputData(1, empty);
   }
 }
 
@@ -440,7 +444,8 @@ TEST(SmoothLightSilhouette, ScalesOfLightsAndNormalsDoNotMatter)
     {
       for (int c = 0; c < 3; ++c)
       {
-        normals->SetComponent(i, c, std::fabs(scale) * torus->GetPointData()->GetNormals()->GetComponent(i, c));
+        normals->SetComponent(
+          i, c, std::fabs(scale) * torus->GetPointData()->GetNormals()->GetComponent(i, c));
       }
     }
     normals->Modified();

@@ -22,8 +22,8 @@ struct BridgedMesh
 // are left out.
 BridgedMesh readMesh(vtkPolyData* input, bool mergePoints);
 
-// Whether there are more points (2^30) or corners of triangles (2^31) than the core's 32-bit numbers
-// can take.
+// Whether there are more points (2^30) or corners of triangles (2^31) than the core's 32-bit
+// numbers can take.
 bool isTooLarge(vtkPolyData* input);
 
 // What to say of a mesh that is.

@@ -34,7 +34,8 @@ void writePoints(const shadow::ShadowVolume& volume, const shadow::Vec3& centre,
     if (i >= volume.firstInfinite)
     {
       const shadow::Index origin = volume.origin[i - volume.firstInfinite];
-      const shadow::Vec3 from = origin == shadow::None ? centre : shadow::Vec3(volume.points[origin]);
+      const shadow::Vec3 from =
+        origin == shadow::None ? centre : shadow::Vec3(volume.points[origin]);
       place = from + length * shadow::unitOrZero(place);
     }
     for (int c = 0; c < 4; ++c)
