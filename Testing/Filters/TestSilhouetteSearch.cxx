@@ -7,9 +7,13 @@
 #include "RandomMeshes.h"
 #include "RealMeshes.h"
 #include "ShadowPipeline.h"
+#include "SilhouetteOracle.h"
 #include "TestMeshes.h"
+#include "Tolerances.h"
 
+#include <vtkPolyDataNormals.h>
 #include <vtkSMPTools.h>
+#include <vtkTriangleFilter.h>
 
 #include <gtest/gtest.h>
 
@@ -107,6 +111,57 @@ TEST(SilhouetteSearch, MethodsAgreeOnRealMeshes)
     const auto mesh = shadowtest::cgalMesh(names[i]);
     compareMethods(mesh, lightsAround(mesh, i + 1));
   }
+}
+
+// All methods read the same blocks, so what they find is held against the definition, too.
+TEST(SilhouetteSearch, TheHierarchyEqualsTheOracleOnRealMeshes)
+{
+  std::size_t segments = 0;
+  int unclear = 0;
+  const std::vector<std::string> names = shadowtest::cgalMeshNames();
+  for (std::size_t i = 0; i < names.size() && !HasFailure(); ++i)
+  {
+    SCOPED_TRACE(names[i]);
+    vtkNew<vtkTriangleFilter> triangles;
+    triangles->SetInputData(shadowtest::cgalMesh(names[i]));
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetInputConnection(triangles->GetOutputPort());
+    normals->Update();
+    vtkPolyData* mesh = normals->GetOutput();
+    const std::vector<LightPosition> lights = lightsAround(mesh, i + 1);
+    for (const LightPosition& light : { lights[2], lights[4] })
+    {
+      for (const int kind :
+        { vtkSmoothLightSilhouette::DISCRETE, vtkSmoothLightSilhouette::ACCURATE })
+      {
+        const bool corners = kind == vtkSmoothLightSilhouette::ACCURATE;
+        if (corners && !shadowtest::hasUsableNormals(mesh))
+        {
+          continue;
+        }
+        const shadowtest::SegmentChain expected = corners
+          ? shadowtest::accurateSilhouette(mesh, light.data())
+          : shadowtest::discreteSilhouette(mesh, light.data());
+        const double margin =
+          corners ? std::min(expected.Margin, expected.WindingMargin) : expected.Margin;
+        if (!(margin > shadowtest::tolerance::TooClose))
+        {
+          ++unclear;
+          continue;
+        }
+        const auto filter = makeFilter(mesh, vtkSmoothLightSilhouette::HIERARCHY, kind);
+        filter->SetLightPosition(light[0], light[1], light[2], light[3]);
+        filter->Update();
+        const auto difference = shadowtest::compareChains(expected,
+          shadowtest::chainOf(filter->GetOutput()),
+          shadowtest::tolerance::SamePoint * mesh->GetLength());
+        EXPECT_TRUE(difference.none()) << difference.Message << ", kind " << kind;
+        segments += difference.Expected;
+      }
+    }
+  }
+  EXPECT_GT(segments, 100000u);
+  EXPECT_LT(unclear, 100);
 }
 
 // Far from the origin the rounding of a field in double is larger than that of the tree's floats.
