@@ -3,6 +3,10 @@
 #include <cstring>
 #include <numeric>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 namespace shadow
 {
 namespace
@@ -15,6 +19,55 @@ constexpr std::size_t fan = 8;
 
 /// A bit beside those of the fields: one of them has no sign that is certain.
 constexpr unsigned uncertain = 16;
+
+using Signs = std::array<std::int32_t, FacingHierarchy::blockSize>;
+
+/// Adds a bit to the sign of each item whose field is lit for certain, and the bit of uncertain where
+/// that is open. The planes' pairs are multiplied and added with the light's.
+#ifdef __SSE2__
+void addSigns(const std::int16_t* pairs, const std::array<std::int16_t, 4>& light,
+  std::int32_t margin, unsigned bit, Signs& signs)
+{
+  const auto pair = [&](std::size_t k)
+  {
+    const std::uint32_t low = static_cast<std::uint16_t>(light[k]);
+    const std::uint32_t high = static_cast<std::uint16_t>(light[k + 1]);
+    return _mm_set1_epi32(static_cast<std::int32_t>(low | (high << 16)));
+  };
+  const __m128i xy = pair(0);
+  const __m128i zw = pair(2);
+  const __m128i most = _mm_set1_epi32(margin);
+  const __m128i least = _mm_set1_epi32(-margin);
+  const __m128i litBit = _mm_set1_epi32(static_cast<std::int32_t>(bit));
+  const __m128i openBit = _mm_set1_epi32(static_cast<std::int32_t>(uncertain));
+  const auto* first = reinterpret_cast<const __m128i*>(pairs);
+  const __m128i* second = first + signs.size() / 4;
+  auto* sums = reinterpret_cast<__m128i*>(signs.data());
+  for (std::size_t i = 0; i < signs.size() / 4; ++i)
+  {
+    const __m128i value = _mm_add_epi32(_mm_madd_epi16(_mm_loadu_si128(first + i), xy),
+      _mm_madd_epi16(_mm_loadu_si128(second + i), zw));
+    const __m128i lit = _mm_cmpgt_epi32(value, most);
+    const __m128i known = _mm_or_si128(lit, _mm_cmplt_epi32(value, least));
+    const __m128i bits =
+      _mm_or_si128(_mm_and_si128(lit, litBit), _mm_andnot_si128(known, openBit));
+    _mm_storeu_si128(sums + i, _mm_or_si128(_mm_loadu_si128(sums + i), bits));
+  }
+}
+#else
+void addSigns(const std::int16_t* pairs, const std::array<std::int16_t, 4>& light,
+  std::int32_t margin, unsigned bit, Signs& signs)
+{
+  const std::int16_t* second = pairs + 2 * signs.size();
+  for (std::size_t i = 0; i < signs.size(); ++i)
+  {
+    const std::int32_t value = pairs[2 * i] * light[0] + pairs[2 * i + 1] * light[1] +
+      second[2 * i] * light[2] + second[2 * i + 1] * light[3];
+    const unsigned open = value <= margin && value >= -margin ? uncertain : 0;
+    signs[i] |= static_cast<std::int32_t>((value > margin ? bit : 0) | open);
+  }
+}
+#endif
 
 /// Sizes whose products with areas stay far from the ends of the range of doubles.
 bool isInRange(double size)
@@ -129,25 +182,11 @@ template <unsigned Arity>
 void FacingHierarchy::searchBlock(
   std::size_t block, const Query& query, const IsLit& isLit, FacingFound& found) const
 {
-  // Plain loops over rows: compilers make vectors of them.
-  std::int32_t signs[blockSize] = {};
+  std::array<std::int32_t, blockSize> signs = {};
   for (unsigned k = 0; k < Arity; ++k)
   {
-    const std::int16_t* x = this->Planes.data() + (block * Arity + k) * 4 * blockSize;
-    const std::int16_t* y = x + blockSize;
-    const std::int16_t* z = y + blockSize;
-    const std::int16_t* w = z + blockSize;
-    const std::int16_t lx = query.plane[0];
-    const std::int16_t ly = query.plane[1];
-    const std::int16_t lz = query.plane[2];
-    const std::int16_t lw = query.plane[3];
-    for (std::size_t i = 0; i < blockSize; ++i)
-    {
-      const std::int32_t value = x[i] * lx + y[i] * ly + z[i] * lz + w[i] * lw;
-      const std::int32_t lit = value > query.margin ? std::int32_t(1u << k) : 0;
-      const std::int32_t open = value <= query.margin && value >= -query.margin ? uncertain : 0;
-      signs[i] |= lit | open;
-    }
+    addSigns(this->Planes.data() + (block * Arity + k) * 4 * blockSize, query.plane, query.margin,
+      1u << k, signs);
   }
   std::uint8_t codes[blockSize];
   for (std::size_t i = 0; i < blockSize; ++i)

@@ -20,7 +20,7 @@ struct FacingFound
 /// corners'. A field's sign for the light (l, w) is that of q . (l, w), q the facing plane of the
 /// field: one code for faces and corners, points and directions.
 ///
-/// The planes are kept in integers of 16 bits, component by component in blocks of 32 items, over
+/// The planes are kept in integers of 16 bits, field by field in blocks of 32 items, over
 /// which lies a tree of boxes in the four dimensions of q, eight to a node: what has one sign in
 /// the box has it everywhere in there. A bound on all roundings, the one of the fields in double
 /// included, is added to each decision. The few fields whose sign that leaves open are evaluated.
@@ -91,7 +91,7 @@ private:
     Box& box = this->Levels[0][block];
     for (unsigned k = 0; k < this->Arity; ++k)
     {
-      std::int16_t* rows = this->rowsOf(block, k);
+      std::int16_t* pairs = this->pairsOf(block, k);
       for (std::size_t i = 0; i < blockSize; ++i)
       {
         // What is left of the last block repeats its last item.
@@ -100,13 +100,14 @@ private:
         box.add(q, q);
         for (int c = 0; c < 4; ++c)
         {
-          rows[static_cast<std::size_t>(c) * blockSize + i] = static_cast<std::int16_t>(q[c]);
+          const std::size_t place = static_cast<std::size_t>(c / 2) * 2 * blockSize + 2 * i;
+          pairs[place + static_cast<std::size_t>(c % 2)] = static_cast<std::int16_t>(q[c]);
         }
       }
     }
   }
 
-  std::int16_t* rowsOf(std::size_t block, unsigned k)
+  std::int16_t* pairsOf(std::size_t block, unsigned k)
   {
     return this->Planes.data() + (block * this->Arity + k) * 4 * blockSize;
   }
@@ -123,7 +124,7 @@ private:
   unsigned Arity = 2;
   std::size_t Count = 0;
   std::size_t Blocks = 0;
-  std::vector<std::int16_t> Planes;     ///< block, field, component, item
+  std::vector<std::int16_t> Planes;     ///< block, field, (x, y) or (z, w), item
   std::vector<std::vector<Box>> Levels; ///< of the blocks, of eight blocks, and so on
 };
 }
