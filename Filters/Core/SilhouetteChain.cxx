@@ -103,46 +103,53 @@ private:
   /// The sides of an edge share their normals but at creases.
   void listCrossings()
   {
-    std::vector<Crossing>& crossings = this->Chain.crossings;
     const std::vector<Index>& crossed = this->Chain.crossedEdges.items();
-    crossings.reserve(crossed.size());
-    this->Chain.firstCrossing.reserve(crossed.size() + 1);
+    std::vector<Index>& first = this->Chain.firstCrossing;
+    this->CrossingSides.reserve(crossed.size());
+    first.reserve(crossed.size() + 1);
     for (const Index e : crossed)
     {
-      this->Chain.firstCrossing.push_back(static_cast<Index>(crossings.size()));
-      const Index first = this->Edges.firstSide(e);
+      first.push_back(static_cast<Index>(this->CrossingSides.size()));
+      const Index firstSide = this->Edges.firstSide(e);
       if (this->TheCaster.edgeKind(e) == EdgeKind::Plain)
       {
-        crossings.push_back({ e, this->Edges.sides[first], 0.0, Vec3(0.0), Vec3(0.0) });
+        this->CrossingSides.push_back(this->Edges.sides[firstSide]);
         continue;
       }
-      for (Index i = first; i < this->Edges.firstSide(e + 1); ++i)
+      for (Index i = firstSide; i < this->Edges.firstSide(e + 1); ++i)
       {
         const Side side = this->Edges.sides[i];
         const SideNormals normals = this->normalsOf(e, side);
-        if (this->crosses(normals) && !this->isListed(normals))
+        if (this->crosses(normals) && !this->isListed(e, normals))
         {
-          crossings.push_back({ e, side, 0.0, Vec3(0.0), Vec3(0.0) });
+          this->CrossingSides.push_back(side);
         }
       }
     }
-    this->Chain.firstCrossing.push_back(static_cast<Index>(crossings.size()));
+    first.push_back(static_cast<Index>(this->CrossingSides.size()));
   }
 
   /// Among the crossings of the edge that is being listed.
-  bool isListed(const SideNormals& normals) const
+  bool isListed(Index edge, const SideNormals& normals) const
   {
-    return std::any_of(this->Chain.crossings.begin() + this->Chain.firstCrossing.back(),
-      this->Chain.crossings.end(),
-      [&](const Crossing& c) { return this->normalsOf(c.edge, c.side) == normals; });
+    return std::any_of(this->CrossingSides.begin() + this->Chain.firstCrossing.back(),
+      this->CrossingSides.end(),
+      [&](Side side) { return this->normalsOf(edge, side) == normals; });
   }
 
   void solveCrossings()
   {
     std::vector<Crossing>& crossings = this->Chain.crossings;
+    crossings.resize(this->CrossingSides.size());
     this->Loop(crossings.size(), 4 * heavyGrain,
       [&](std::size_t begin, std::size_t end)
       {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          const Side side = this->CrossingSides[i];
+          crossings[i].side = side;
+          crossings[i].edge = this->Edges.triangleEdges[side / 3][side % 3];
+        }
         if (this->Chain.kind != SilhouetteKind::Smooth)
         {
           for (std::size_t i = begin; i < end; ++i)
@@ -339,7 +346,8 @@ private:
   const EdgeTable& Edges;
   SilhouetteChain& Chain;
   const RangeLoop& Loop;
-  std::vector<Chord> Chords;  ///< of the mixed triangles
+  std::vector<Chord> Chords;       ///< of the mixed triangles
+  std::vector<Side> CrossingSides; ///< of each crossing, the first of its sides
 };
 }
 
