@@ -18,12 +18,17 @@ namespace
 const std::map<std::string, int> capKinds = { { "automatic", vtkShadowVolumeExtruder::AUTOMATIC },
   { "lit", vtkShadowVolumeExtruder::LIT }, { "dark", vtkShadowVolumeExtruder::DARK },
   { "none", vtkShadowVolumeExtruder::NONE } };
+const std::map<std::string, int> extents = { { "infinite", vtkShadowVolumeExtruder::INFINITE },
+  { "length", vtkShadowVolumeExtruder::LENGTH }, { "plane", vtkShadowVolumeExtruder::PLANE } };
 
 struct Arguments
 {
   GeometryArguments Geometry;
   std::string Caps = "automatic";
+  std::string Extent = "infinite";
   double Length = 0.0;
+  Vector3 PlaneOrigin = { 0.0, 0.0, 0.0 };
+  Vector3 PlaneNormal = { 0.0, 0.0, 1.0 };
   bool Strips = false;
 };
 
@@ -53,12 +58,19 @@ void Run(const Arguments& arguments)
   vtkNew<vtkShadowVolumeExtruder> extruder;
   extruder->SetSilhouetteConnection(silhouette->GetOutputPort());
   extruder->SetCaps(capKinds.at(arguments.Caps));
+  extruder->SetExtent(extents.at(arguments.Extent));
   extruder->SetLength(arguments.Length);
+  extruder->SetPlaneOrigin(
+    arguments.PlaneOrigin[0], arguments.PlaneOrigin[1], arguments.PlaneOrigin[2]);
+  extruder->SetPlaneNormal(
+    arguments.PlaneNormal[0], arguments.PlaneNormal[1], arguments.PlaneNormal[2]);
   extruder->SetWallStrips(arguments.Strips);
   const auto describe = [&](vtkPolyData* volume, Json& statistics)
   {
     const Json closed = FieldValue(volume, "Closed");
     statistics["caps"] = arguments.Caps;
+    statistics["extent"] = arguments.Extent;
+    statistics["volume"] = FieldValue(volume, "Volume");
     statistics["triangles"] = CellsByPart(volume);
     statistics["strips"] = volume->GetNumberOfStrips();
     statistics["closed"] = closed.is_number() ? Json(closed != 0) : closed;
@@ -85,11 +97,30 @@ void AddVolumeCommand(CLI::App& app, std::function<void()>& chosen)
       "the side of a closed mesh that closes the volume near the light [automatic: the dark one]")
     ->check(CLI::IsMember(std::vector<std::string>{ "automatic", "lit", "dark", "none" }));
   command
+    .add_option("--extent", arguments->Extent,
+      "where shadows end: at infinity, at a length, or on a plane [infinite]")
+    ->check(CLI::IsMember(std::vector<std::string>{ "infinite", "length", "plane" }));
+  command
     .add_option_function<std::string>(
       "--length",
       [arguments](const std::string& text) { arguments->Length = ParsePositive("--length", text); },
-      "where points at infinity are shown, in the mesh's units [ten diagonals]")
+      "how long shadows are, or where points at infinity are shown, in the mesh's units [ten "
+      "diagonals]")
     ->type_name("LENGTH");
+  command
+    .add_option_function<std::string>(
+      "--plane-origin",
+      [arguments](const std::string& text)
+      { arguments->PlaneOrigin = ParseVector("--plane-origin", text); },
+      "a point on the plane [0,0,0]")
+    ->type_name("x,y,z");
+  command
+    .add_option_function<std::string>(
+      "--plane-normal",
+      [arguments](const std::string& text)
+      { arguments->PlaneNormal = ParseDirection("--plane-normal", text); },
+      "the plane's normal [0,0,1]")
+    ->type_name("x,y,z");
   command.add_flag("--strips", arguments->Strips, "write the walls of long loops as strips");
   command.callback([arguments, &chosen] { chosen = [arguments] { Run(*arguments); }; });
 }

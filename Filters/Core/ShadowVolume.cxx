@@ -40,18 +40,19 @@ public:
         [&](const Stretch& s) { this->addGap(s, this->Silhouette.multiplicity[loop]); });
     }
     const std::size_t nearEnd = this->Volume.triangles.size();
-    this->Volume.firstInfinite = this->Volume.points.size();
+    this->Volume.firstEnd = this->Volume.points.size();
     this->Extruded.assign(this->Volume.points.size(), None);
     for (std::size_t loop = 0; loop < this->Silhouette.multiplicity.size(); ++loop)
     {
       const std::size_t points = this->Silhouette.first[loop + 1] - this->Silhouette.first[loop];
-      const bool asStrip = this->Settings.wallStrips && points >= longLoop &&
-        !this->Chain.light.isDirectional();
+      const bool asStrip =
+        this->Settings.wallStrips && points >= longLoop && !this->endsInOnePoint();
       asStrip ? this->addWallStrip(loop) : this->addWalls(loop);
     }
-    if (caps != Caps::None && !this->Chain.light.isDirectional())
+    if (caps != Caps::None && !this->endsInOnePoint())
     {
-      this->lightIsOutside() ? this->addFarFan() : this->projectNearCap(nearEnd);
+      this->isInfinite() && this->lightIsOutside() ? this->addFarFan()
+                                                   : this->projectNearCap(nearEnd);
     }
     return std::move(this->Volume);
   }
@@ -139,7 +140,10 @@ private:
     this->add(meshFrom, at(middle), meshTo, VolumePart::Gap, multiplicity);
   }
 
-  Index addInfinite(const Vec4& point, Index origin)
+  bool isInfinite() const { return this->Settings.end.extent == Extent::Infinite; }
+  bool endsInOnePoint() const { return this->isInfinite() && this->Chain.light.isDirectional(); }
+
+  Index addEnd(const Vec4& point, Index origin)
   {
     this->Volume.points.push_back(point);
     this->Volume.origin.push_back(origin);
@@ -149,18 +153,21 @@ private:
   /// Where a point's shadow ends.
   Index extruded(Index point)
   {
-    if (this->Chain.light.isDirectional())
+    if (this->endsInOnePoint())
     {
       if (this->Apex == None)
       {
-        this->Apex = this->addInfinite(this->Chain.light.extrude(Vec3(0.0)), None);
+        this->Apex = this->addEnd(this->Chain.light.extrude(Vec3(0.0)), None);
       }
       return this->Apex;
     }
     if (this->Extruded[point] == None)
     {
-      this->Extruded[point] =
-        this->addInfinite(this->Chain.light.extrude(Vec3(this->Volume.points[point])), point);
+      const Vec3 place(this->Volume.points[point]);
+      const ShadowEnd& end = this->Settings.end;
+      this->Volume.unreached +=
+        end.extent == Extent::Plane && !end.reachesPlane(place, this->Chain.light);
+      this->Extruded[point] = this->addEnd(end.of(place, this->Chain.light), point);
     }
     return this->Extruded[point];
   }
@@ -219,7 +226,7 @@ private:
   void addFarFan()
   {
     const Index apex =
-      this->addInfinite(this->Chain.light.extrude(this->TheCaster.centre()), None);
+      this->addEnd(this->Chain.light.extrude(this->TheCaster.centre()), None);
     for (std::size_t loop = 0; loop < this->Silhouette.multiplicity.size(); ++loop)
     {
       const std::size_t begin = this->Silhouette.first[loop];
@@ -254,7 +261,7 @@ private:
   const std::size_t VertexCount;
   ShadowVolume Volume;
   std::vector<Index> Placed;   ///< the volume's point for each point of the silhouette
-  std::vector<Index> Extruded; ///< the point at infinity of each finite one
+  std::vector<Index> Extruded; ///< where the shadow of each point ends
   Index Apex = None;
 };
 }
@@ -263,5 +270,29 @@ ShadowVolume extrude(const Caster& caster, const SilhouetteChain& chain,
   const SilhouetteInput& silhouette, const VolumeSettings& settings)
 {
   return VolumeBuilder(caster, chain, silhouette, settings).build();
+}
+double enclosedVolume(const ShadowVolume& volume, const Vec3& centre)
+{
+  double sum = 0.0;
+  const auto add = [&](Index p, Index q, Index r, int multiplicity)
+  {
+    const Vec3 a = Vec3(volume.points[p]) - centre;
+    const Vec3 b = Vec3(volume.points[q]) - centre;
+    const Vec3 c = Vec3(volume.points[r]) - centre;
+    sum += multiplicity * glm::dot(a, glm::cross(b, c));
+  };
+  for (const VolumeTriangle& t : volume.triangles)
+  {
+    add(t.points[0], t.points[1], t.points[2], t.multiplicity);
+  }
+  for (const WallStrip& strip : volume.strips)
+  {
+    for (std::size_t i = 0; i + 3 < strip.points.size(); i += 2)
+    {
+      add(strip.points[i], strip.points[i + 1], strip.points[i + 2], strip.multiplicity);
+      add(strip.points[i + 2], strip.points[i + 1], strip.points[i + 3], strip.multiplicity);
+    }
+  }
+  return sum / 6.0;
 }
 }

@@ -11,6 +11,7 @@
 #include "vtkPolyData.h"
 
 #include <cassert>
+#include <sstream>
 
 namespace
 {
@@ -25,6 +26,21 @@ shadow::Caps coreCaps(int caps)
     default:
       return shadow::Caps::Dark;
   }
+}
+
+shadow::Vec3 toVector(const double v[3])
+{
+  return { v[0], v[1], v[2] };
+}
+
+std::string describeUnreached(std::size_t count, const shadow::ShadowEnd& end)
+{
+  std::ostringstream message;
+  message << "The rays of " << count << " points do not come to the plane through ("
+          << end.planeOrigin.x << ", " << end.planeOrigin.y << ", " << end.planeOrigin.z
+          << ") with the normal (" << end.planeNormal.x << ", " << end.planeNormal.y << ", "
+          << end.planeNormal.z << "): move it behind the mesh, or take Extent LENGTH or INFINITE.";
+  return message.str();
 }
 
 shadow::SilhouetteInput discreteSilhouette(
@@ -61,26 +77,36 @@ int vtkShadowVolumeExtruder::FillInputPortInformation(int port, vtkInformation* 
   return this->Superclass::FillInputPortInformation(port, info);
 }
 
+bool vtkShadowVolumeExtruder::ReadSettings(
+  vtkPolyData* input, vtkPolyData* given, SilhouetteSettings& settings)
+{
+  if (given && !readSettings(given, settings))
+  {
+    vtkErrorMacro("The silhouette on port 1 lacks its field data or its light: give it the output "
+                  "of vtkSmoothLightSilhouette.");
+    return false;
+  }
+  if (!given && !readLight(this->LightPosition, settings.light))
+  {
+    vtkErrorMacro(<< describeBadLight(this->LightPosition));
+    return false;
+  }
+  if (isTooLarge(input))
+  {
+    vtkErrorMacro(<< describeTooLarge(input));
+    return false;
+  }
+  return true;
+}
+
 int vtkShadowVolumeExtruder::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* given = vtkPolyData::GetData(inputVector[1]);
   SilhouetteSettings settings;
-  if (given && !readSettings(given, settings))
+  if (!this->ReadSettings(input, given, settings))
   {
-    vtkErrorMacro("The silhouette on port 1 lacks its field data or its light: give it the output "
-                  "of vtkSmoothLightSilhouette.");
-    return 0;
-  }
-  if (!given && !readLight(this->LightPosition, settings.light))
-  {
-    vtkErrorMacro(<< describeBadLight(this->LightPosition));
-    return 0;
-  }
-  if (isTooLarge(input))
-  {
-    vtkErrorMacro(<< describeTooLarge(input));
     return 0;
   }
 
@@ -108,11 +134,18 @@ int vtkShadowVolumeExtruder::RequestData(
          "is.");
     return 0;
   }
-  const double length = this->Length > 0.0 ? this->Length : 20.0 * caster.radius();
-  writeVolume(
-    shadow::extrude(caster, *chain, silhouette, { coreCaps(this->Caps), this->WallStrips }),
-    caster.centre(), length, this->Caps != NONE && match == shadow::Match::Whole,
-    vtkPolyData::GetData(outputVector));
+  const shadow::ShadowEnd end{ static_cast<shadow::Extent>(this->Extent),
+    this->Length > 0.0 ? this->Length : 20.0 * caster.radius(), toVector(this->PlaneOrigin),
+    toVector(this->PlaneNormal) };
+  const shadow::ShadowVolume volume =
+    shadow::extrude(caster, *chain, silhouette, { coreCaps(this->Caps), end, this->WallStrips });
+  if (volume.unreached > 0)
+  {
+    vtkErrorMacro(<< describeUnreached(volume.unreached, end));
+    return 0;
+  }
+  writeVolume(volume, caster.centre(), end,
+    this->Caps != NONE && match == shadow::Match::Whole, vtkPolyData::GetData(outputVector));
   return 1;
 }
 
@@ -122,6 +155,11 @@ void vtkShadowVolumeExtruder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LightPosition: (" << this->LightPosition[0] << ", " << this->LightPosition[1]
      << ", " << this->LightPosition[2] << ", " << this->LightPosition[3] << ")\n";
   os << indent << "Caps: " << this->Caps << "\n";
+  os << indent << "Extent: " << this->Extent << "\n";
   os << indent << "Length: " << this->Length << "\n";
+  os << indent << "PlaneOrigin: (" << this->PlaneOrigin[0] << ", " << this->PlaneOrigin[1] << ", "
+     << this->PlaneOrigin[2] << ")\n";
+  os << indent << "PlaneNormal: (" << this->PlaneNormal[0] << ", " << this->PlaneNormal[1] << ", "
+     << this->PlaneNormal[2] << ")\n";
   os << indent << "WallStrips: " << (this->WallStrips ? "on" : "off") << "\n";
 }

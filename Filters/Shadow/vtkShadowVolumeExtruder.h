@@ -6,9 +6,10 @@
  * and treatment of points it adopts. Without port 1 the discrete silhouette from LightPosition is
  * made here.
  *
- * The volume reaches from the mesh to infinity. Its points are homogeneous: a point x goes to
- * infinity as (w x - l, 0) for the light (l, w) (Everitt & Kilgard 2002). A point of space is in
- * shadow where the volume winds around it, which the stencil test counts.
+ * The volume reaches from the mesh to infinity, or as Extent says to a length or to a plane. Its
+ * points are homogeneous: a point x goes to infinity as (w x - l, 0) for the light (l, w) (Everitt &
+ * Kilgard 2002). A point of space is in shadow where the volume winds around it, which the stencil
+ * test counts. A finite volume is an ordinary closed surface.
  *
  * The near cap is a part of the mesh itself. On a closed, consistently wound part of the mesh the
  * dark side can serve as well as the lit one: the shadow that it throws is the same, and it lies
@@ -39,6 +40,7 @@
 #include <memory> // For the cached caster
 
 class CasterCache;
+struct SilhouetteSettings;
 
 class VTKFILTERSSHADOW_EXPORT vtkShadowVolumeExtruder : public vtkPolyDataAlgorithm
 {
@@ -46,6 +48,13 @@ public:
   static vtkShadowVolumeExtruder* New();
   vtkTypeMacro(vtkShadowVolumeExtruder, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Extents
+  {
+    INFINITE = 0,
+    LENGTH = 1,
+    PLANE = 2
+  };
 
   enum CapKinds
   {
@@ -97,8 +106,21 @@ public:
 
   ///@{
   /**
-   * How far along their direction Points shows what is at infinity, in world units. 0 (the default)
-   * takes ten times the diagonal of the mesh's bounds.
+   * Where shadows end: INFINITE; LENGTH, at Length from each point along its ray; or PLANE, on a plane
+   * that each point's ray meets (a point beyond the plane is its own end). It is an error if there are
+   * rays that do not come to the plane. Default INFINITE.
+   */
+  vtkSetClampMacro(Extent, int, INFINITE, PLANE);
+  vtkGetMacro(Extent, int);
+  void SetExtentToInfinite() { this->SetExtent(INFINITE); }
+  void SetExtentToLength() { this->SetExtent(LENGTH); }
+  void SetExtentToPlane() { this->SetExtent(PLANE); }
+  ///@}
+
+  ///@{
+  /**
+   * How long shadows are (LENGTH), or how far along their direction Points shows what is at infinity
+   * (INFINITE). World units. 0 (the default) takes ten times the diagonal of the mesh's bounds.
    */
   vtkSetClampMacro(Length, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Length, double);
@@ -106,9 +128,20 @@ public:
 
   ///@{
   /**
+   * Of PLANE: a point on the plane, default (0, 0, 0), and a normal of any length but zero, on either
+   * side, default (0, 0, 1).
+   */
+  vtkSetVector3Macro(PlaneOrigin, double);
+  vtkGetVector3Macro(PlaneOrigin, double);
+  vtkSetVector3Macro(PlaneNormal, double);
+  vtkGetVector3Macro(PlaneNormal, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether the walls along a loop of 16 points or more become one triangle strip: two point ids a
    * segment in place of six, and one cell a loop. Strips come behind the triangles. The walls of a
-   * directional light all end in one point and stay triangles. Many filters want triangles alone
+   * directional light's infinite volume all end in one point and stay triangles. Many filters want triangles alone
    * (vtkTriangleFilter takes strips apart), so the default is off.
    */
   vtkSetMacro(WallStrips, bool);
@@ -127,9 +160,15 @@ private:
   vtkShadowVolumeExtruder(const vtkShadowVolumeExtruder&) = delete;
   void operator=(const vtkShadowVolumeExtruder&) = delete;
 
+  // False after an error.
+  bool ReadSettings(vtkPolyData* input, vtkPolyData* given, SilhouetteSettings& settings);
+
   double LightPosition[4] = { 0.0, 0.0, 1.0, 0.0 };
   int Caps = AUTOMATIC;
+  int Extent = INFINITE;
   double Length = 0.0;
+  double PlaneOrigin[3] = { 0.0, 0.0, 0.0 };
+  double PlaneNormal[3] = { 0.0, 0.0, 1.0 };
   bool WallStrips = false;
 
   std::unique_ptr<CasterCache> Cache;

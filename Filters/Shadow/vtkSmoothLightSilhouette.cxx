@@ -74,32 +74,40 @@ int vtkSmoothLightSilhouette::FillInputPortInformation(int port, vtkInformation*
   return 1;
 }
 
-int vtkSmoothLightSilhouette::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+bool vtkSmoothLightSilhouette::ReadSettings(vtkPolyData* input, SilhouetteSettings& settings)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  SilhouetteSettings settings;
   settings.kind = static_cast<shadow::SilhouetteKind>(this->Kind);
   settings.caster = { this->MergePoints, this->FeatureAngle };
   std::copy_n(this->LightPosition, 4, settings.lightPosition.begin());
   if (!readLight(this->LightPosition, settings.light))
   {
     vtkErrorMacro(<< describeBadLight(this->LightPosition));
-    return 0;
+    return false;
   }
   if (!std::isfinite(this->Tolerance) || !std::isfinite(this->FeatureAngle))
   {
     vtkErrorMacro("Tolerance " << this->Tolerance << " and FeatureAngle " << this->FeatureAngle
                                << " must be finite.");
-    return 0;
+    return false;
   }
   if (isTooLarge(input))
   {
     vtkErrorMacro(<< describeTooLarge(input));
+    return false;
+  }
+  return true;
+}
+
+int vtkSmoothLightSilhouette::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  SilhouetteSettings settings;
+  if (!this->ReadSettings(input, settings))
+  {
     return 0;
   }
-
   const bool onReceivers = this->ToleranceMode == RECEIVER;
   const vtkBoundingBox receivers = onReceivers ? boundsOf(inputVector[1]) : vtkBoundingBox();
   if (onReceivers && !receivers.IsValid())

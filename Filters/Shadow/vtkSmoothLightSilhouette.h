@@ -57,6 +57,7 @@
 #include <memory> // For the cached caster
 
 class CasterCache;
+struct SilhouetteSettings;
 
 class VTKFILTERSSHADOW_EXPORT vtkSmoothLightSilhouette : public vtkPolyDataAlgorithm
 {
@@ -210,6 +211,9 @@ protected:
 private:
   vtkSmoothLightSilhouette(const vtkSmoothLightSilhouette&) = delete;
   void operator=(const vtkSmoothLightSilhouette&) = delete;
+
+  // False after an error.
+  bool ReadSettings(vtkPolyData* input, SilhouetteSettings& settings);
 
   double LightPosition[4] = { 0.0, 0.0, 1.0, 0.0 };
   int Kind = SMOOTH;

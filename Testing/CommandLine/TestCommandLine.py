@@ -324,6 +324,23 @@ class SilhouetteAndVolume(ToolTest):
         self.assertLess(bounds[4], -6.4)
         self.assertGreater(bounds[4], -7.6)
 
+    def test_extent(self):
+        Meshes.write_sphere(self.path("sphere.vtp"))
+        common = ("volume", "sphere.vtp", "-o", "out.vtp", "--light", "0,0,1,0", "--caps", "lit")
+        self.assertIsNone(self.statistics(*common)["volume"])
+        # A column, and on the plane half a ball above it.
+        length = self.statistics(*common, "--extent", "length", "--length", "3")["volume"]
+        plane = self.statistics(*common, "--extent", "plane", "--plane-origin", "0,0,-3",
+                                "--plane-normal", "0,0,5")["volume"]
+        radius = Meshes.read_polydata(self.path("sphere.vtp")).GetBounds()[1]
+        area = math.pi * radius ** 2
+        self.assertAlmostEqual(length / (3 * area), 1, delta=0.1)
+        self.assertAlmostEqual(plane / (3 * area + 2 / 3 * area * radius), 1, delta=0.1)
+        bounds = Meshes.read_polydata(self.path("out.vtp")).GetBounds()
+        self.assertAlmostEqual(bounds[4], -3)
+        self.fail_in("sphere.vtp", "do not come to the plane", *common, "--extent", "plane",
+                     "--plane-origin", "0,0,-3", "--plane-normal", "1,0,0")
+
     def test_without_json_a_line_for_people(self):
         Meshes.write_sphere(self.path("sphere.vtp"))
         line = self.succeed("silhouette", "sphere.vtp", "-o", "out.vtp", "--light", "1,2,3")
@@ -383,6 +400,9 @@ class WrongUsage(ToolTest):
             ((*self.SILHOUETTE, "second.obj"), "second.obj"),
             ((*self.VOLUME, "--caps", "far"), "far"),
             ((*self.VOLUME, "--length", "-1"), "--length -1"),
+            ((*self.VOLUME, "--extent", "far"), "far"),
+            ((*self.VOLUME, "--plane-origin", "1,2"), "--plane-origin 1,2"),
+            ((*self.VOLUME, "--plane-normal", "0,0,0"), "--plane-normal 0,0,0"),
         ]
         for arguments, named in cases:
             with self.subTest(arguments):

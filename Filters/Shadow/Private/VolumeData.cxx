@@ -31,9 +31,9 @@ void writePoints(const shadow::ShadowVolume& volume, const shadow::Vec3& centre,
   {
     const shadow::Vec4& p = volume.points[i];
     shadow::Vec3 place(p);
-    if (i >= volume.firstInfinite)
+    if (p.w == 0.0)
     {
-      const shadow::Index origin = volume.origin[i - volume.firstInfinite];
+      const shadow::Index origin = volume.origin[i - volume.firstEnd];
       const shadow::Vec3 from =
         origin == shadow::None ? centre : shadow::Vec3(volume.points[origin]);
       place = from + length * shadow::unitOrZero(place);
@@ -118,10 +118,10 @@ void writeCellData(const shadow::ShadowVolume& volume, vtkPolyData* output)
 }
 }
 
-void writeVolume(const shadow::ShadowVolume& volume, const shadow::Vec3& centre, double length,
-  bool closed, vtkPolyData* output)
+void writeVolume(const shadow::ShadowVolume& volume, const shadow::Vec3& centre,
+  const shadow::ShadowEnd& end, bool closed, vtkPolyData* output)
 {
-  writePoints(volume, centre, length, output);
+  writePoints(volume, centre, end.length, output);
   writeTriangles(volume, output);
   writeStrips(volume, output);
   writeCellData(volume, output);
@@ -129,4 +129,11 @@ void writeVolume(const shadow::ShadowVolume& volume, const shadow::Vec3& centre,
   isClosed->SetName("Closed");
   isClosed->InsertNextValue(closed);
   output->GetFieldData()->AddArray(isClosed);
+  if (closed && end.extent != shadow::Extent::Infinite)
+  {
+    vtkNew<vtkDoubleArray> enclosed;
+    enclosed->SetName("Volume");
+    enclosed->InsertNextValue(shadow::enclosedVolume(volume, centre));
+    output->GetFieldData()->AddArray(enclosed);
+  }
 }

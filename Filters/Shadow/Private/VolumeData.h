@@ -7,8 +7,8 @@
 class vtkPolyData;
 
 // Writes triangles with all arrays that vtkShadowVolumeExtruder documents. Points at infinity are
-// shown at `length` from the point that they belong to, or from the centre.
-void writeVolume(const shadow::ShadowVolume& volume, const shadow::Vec3& centre, double length,
-  bool closed, vtkPolyData* output);
+// shown at the end's length from the point that they belong to, or from the centre.
+void writeVolume(const shadow::ShadowVolume& volume, const shadow::Vec3& centre,
+  const shadow::ShadowEnd& end, bool closed, vtkPolyData* output);
 
 #endif
