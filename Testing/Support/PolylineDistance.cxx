@@ -13,6 +13,27 @@ namespace shadowtest
 {
 namespace
 {
+/// Calls visit(p, q) with the ends of each segment of all lines.
+template <class Visit>
+void forEachSegment(vtkPolyData* polylines, const Visit& visit)
+{
+  vtkCellArray* lines = polylines->GetLines();
+  for (vtkIdType cell = 0; cell < lines->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    lines->GetCellAtId(cell, size, ids);
+    for (vtkIdType i = 0; i + 1 < size; ++i)
+    {
+      double p[3];
+      double q[3];
+      polylines->GetPoint(ids[i], p);
+      polylines->GetPoint(ids[i + 1], q);
+      visit(p, q);
+    }
+  }
+}
+
 double farthestFrom(vtkPolyData* polylines, vtkPolyData* points)
 {
   double farthest = 0.0;
@@ -29,43 +50,21 @@ double farthestFrom(vtkPolyData* polylines, vtkPolyData* points)
 double distanceToLines(vtkPolyData* polylines, const double point[3])
 {
   double least = std::numeric_limits<double>::infinity();
-  vtkCellArray* lines = polylines->GetLines();
-  for (vtkIdType cell = 0; cell < lines->GetNumberOfCells(); ++cell)
-  {
-    vtkIdType size;
-    const vtkIdType* ids;
-    lines->GetCellAtId(cell, size, ids);
-    for (vtkIdType i = 0; i + 1 < size; ++i)
+  forEachSegment(polylines,
+    [&](const double p[3], const double q[3])
     {
-      double p[3];
-      double q[3];
       double t;
-      polylines->GetPoint(ids[i], p);
-      polylines->GetPoint(ids[i + 1], q);
       least = std::min(least, vtkLine::DistanceToLine(point, p, q, t, nullptr));
-    }
-  }
+    });
   return std::sqrt(least);
 }
 
 double lengthOfLines(vtkPolyData* polylines)
 {
   double length = 0.0;
-  vtkCellArray* lines = polylines->GetLines();
-  for (vtkIdType cell = 0; cell < lines->GetNumberOfCells(); ++cell)
-  {
-    vtkIdType size;
-    const vtkIdType* ids;
-    lines->GetCellAtId(cell, size, ids);
-    for (vtkIdType i = 0; i + 1 < size; ++i)
-    {
-      double p[3];
-      double q[3];
-      polylines->GetPoint(ids[i], p);
-      polylines->GetPoint(ids[i + 1], q);
-      length += std::sqrt(vtkMath::Distance2BetweenPoints(p, q));
-    }
-  }
+  forEachSegment(polylines,
+    [&](const double p[3], const double q[3])
+    { length += std::sqrt(vtkMath::Distance2BetweenPoints(p, q)); });
   return length;
 }
 
