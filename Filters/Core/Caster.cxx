@@ -36,12 +36,12 @@ Caster::Caster(TriangleMesh mesh, double featureAngle, const RangeLoop& loop)
   }
   orderTriangles(this->Mesh, loop);
   this->Edges = buildEdgeTable(this->Mesh);
-  orderEdges(this->Mesh, this->Edges, loop);
+  this->TheBall = this->Mesh.ball();
+  orderEdges(this->Mesh, this->Edges, this->TheBall, loop);
   this->Weights = findChainWeights(this->Mesh, this->Edges);
   this->Defects = countEdgeDefects(this->Mesh, this->Edges);
   this->EdgeKinds = findEdgeKinds(this->Mesh, this->Edges);
   this->LinkEdges = findLinkEdges(this->Mesh, this->Edges, this->Weights, this->EdgeKinds);
-  this->TheBall = this->Mesh.ball();
 }
 
 EdgeCurve Caster::curve(Index edge)
@@ -78,7 +78,7 @@ TrackedResult Caster::search(const Light& light, FieldKind kind, const SearchSet
   if (settings.method == SearchMethod::BruteForce || settings.method == SearchMethod::Hierarchy)
   {
     const auto index = this->kept(
-      this->Indices[k], [&] { return buildSearchIndex(searched, kind, loop); });
+      this->Indices[k], [&] { return buildSearchIndex(searched, kind, this->TheBall, loop); });
     const bool useTree = settings.method == SearchMethod::Hierarchy;
     return { shadow::search(searched, *index, light, useTree, loop), true };
   }

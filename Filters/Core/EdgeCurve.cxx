@@ -346,8 +346,8 @@ double solveCrossing(const EdgeCurve& curve, const Vec3& normalA, const Vec3& no
     case EdgeCurve::Shape::Surface:
     {
       QuarticZeros zeros;
-      zeros.set(0, fieldQuartic(curve, light), guess);
-      zeros.refine(1);
+      zeros.add(fieldQuartic(curve, light), guess);
+      zeros.refine();
       return zeros.zero(0, isLit(fieldA));
     }
     case EdgeCurve::Shape::Crease:

@@ -2,8 +2,6 @@
 
 #include "FacingPlane.h"
 
-#include <glm/vec4.hpp>
-
 #include <algorithm>
 
 namespace shadow
@@ -93,21 +91,6 @@ std::vector<Index> facingOrder(std::size_t count, const RangeLoop& loop, const P
   return order;
 }
 
-template <class PlaneOf>
-std::vector<glm::vec4> allPlanes(std::size_t count, const RangeLoop& loop, const PlaneOf& planeOf)
-{
-  std::vector<glm::vec4> planes(count);
-  loop(count, lightGrain,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        planes[i] = glm::vec4(planeOf(static_cast<Index>(i)));
-      }
-    });
-  return planes;
-}
-
 /// Gives what corners refer to numbers in order of first use, and moves it there.
 class Renumbering
 {
@@ -163,16 +146,14 @@ void permute(std::vector<Value>& values, const std::vector<Index>& order)
 
 void orderTriangles(TriangleMesh& mesh, const RangeLoop& loop)
 {
-  const Ball ball = mesh.ball();
-  const std::vector<glm::vec4> planes = allPlanes(
-    mesh.normals.size(), loop, [&](Index n) { return cornerPlane(mesh, n, ball); });
+  const std::vector<Vec4> planes = cornerPlanes(mesh, mesh.ball(), loop);
   const std::vector<Index> order = facingOrder(mesh.triangles.size(), loop,
     [&](Index t)
     {
       const Triangle& n = mesh.cornerNormals[t];
-      const glm::vec4 low = glm::min(planes[n[0]], glm::min(planes[n[1]], planes[n[2]]));
-      const glm::vec4 high = glm::max(planes[n[0]], glm::max(planes[n[1]], planes[n[2]]));
-      return Vec4(0.5f * (low + high));
+      const Vec4 low = glm::min(planes[n[0]], glm::min(planes[n[1]], planes[n[2]]));
+      const Vec4 high = glm::max(planes[n[0]], glm::max(planes[n[1]], planes[n[2]]));
+      return 0.5 * (low + high);
     });
   permute(mesh.triangles, order);
   permute(mesh.cornerNormals, order);
@@ -189,17 +170,13 @@ void orderTriangles(TriangleMesh& mesh, const RangeLoop& loop)
   }
 }
 
-void orderEdges(const TriangleMesh& mesh, EdgeTable& edges, const RangeLoop& loop)
+void orderEdges(
+  const TriangleMesh& mesh, EdgeTable& edges, const Ball& ball, const RangeLoop& loop)
 {
-  const Ball ball = mesh.ball();
-  const std::vector<glm::vec4> planes = allPlanes(
-    mesh.triangles.size(), loop, [&](Index t) { return facePlane(mesh, t, ball); });
+  const std::vector<Vec4> planes = facePlanes(mesh, ball, loop);
   reorderRegularEdges(edges,
     facingOrder(edges.regular, loop,
       [&](Index e)
-      {
-        const glm::vec4 sum = planes[edges.sides[2 * e] / 3] + planes[edges.sides[2 * e + 1] / 3];
-        return Vec4(0.5f * sum);
-      }));
+      { return 0.5 * (planes[edges.sides[2 * e] / 3] + planes[edges.sides[2 * e + 1] / 3]); }));
 }
 }

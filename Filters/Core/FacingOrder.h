@@ -14,5 +14,6 @@ namespace shadow
 void orderTriangles(TriangleMesh& mesh, const RangeLoop& loop);
 
 /// Regular edges by the middle of their two faces' planes.
-void orderEdges(const TriangleMesh& mesh, EdgeTable& edges, const RangeLoop& loop);
+void orderEdges(
+  const TriangleMesh& mesh, EdgeTable& edges, const Ball& ball, const RangeLoop& loop);
 }

@@ -1,7 +1,7 @@
 /// A field as a plane: for points and directions, faces and corners alike.
 #pragma once
 
-#include "CasterEdges.h"
+#include "RangeLoop.h"
 
 namespace shadow
 {
@@ -21,13 +21,9 @@ inline Vec4 facingPlane(const Vec3& normal, const Vec3& point, const Ball& ball)
   return std::fabs(offset) < 1.001 && isFinite(n) ? Vec4(n, offset) : Vec4(0.0);
 }
 
-inline Vec4 facePlane(const TriangleMesh& mesh, Index triangle, const Ball& ball)
-{
-  return facingPlane(mesh.areaNormal(triangle), mesh.points[mesh.triangles[triangle][0]], ball);
-}
+/// The planes of all triangles.
+std::vector<Vec4> facePlanes(const TriangleMesh& mesh, const Ball& ball, const RangeLoop& loop);
 
-inline Vec4 cornerPlane(const TriangleMesh& mesh, Index normal, const Ball& ball)
-{
-  return facingPlane(mesh.normals[normal], mesh.points[mesh.normalVertex[normal]], ball);
-}
+/// The planes of all corner normals.
+std::vector<Vec4> cornerPlanes(const TriangleMesh& mesh, const Ball& ball, const RangeLoop& loop);
 }

@@ -11,11 +11,11 @@ constexpr double small = 1e-9;
 
 /// Always three of Halley's steps, which are of third order, and one of Newton's: a branch costs
 /// more than a step.
-void QuarticZeros::refine(std::size_t count)
+void QuarticZeros::refine()
 {
-  // Whole vectors; what is behind the count is computed for nothing.
-  const std::size_t end = std::min(size, (count + 3) / 4 * 4);
-  for (std::size_t i = count; i < end; ++i)
+  // Whole vectors; what is behind the last is computed for nothing.
+  const std::size_t end = std::min(size, (this->Count + 3) / 4 * 4);
+  for (std::size_t i = this->Count; i < end; ++i)
   {
     this->set(i, { { 0.0, 1.0, 0.0, 0.0, 0.0 } }, 0.0);
   }

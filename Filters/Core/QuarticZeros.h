@@ -36,6 +36,20 @@ class QuarticZeros
 public:
   static constexpr std::size_t size = 32;
 
+  /// They are numbered as they come.
+  void add(const Quartic& quartic, double start)
+  {
+    this->set(this->Count++, quartic, start);
+  }
+
+  /// The steps of all.
+  void refine();
+
+  /// A zero in [0, 1], after refine. litAtZero: whether the quartic is lit at 0; at 1 it is not as
+  /// at 0.
+  double zero(std::size_t i, bool litAtZero) const;
+
+private:
   void set(std::size_t i, const Quartic& quartic, double start)
   {
     for (std::size_t k = 0; k < 5; ++k)
@@ -45,14 +59,7 @@ public:
     this->S[i] = start;
   }
 
-  /// Steps for all below count.
-  void refine(std::size_t count);
-
-  /// A zero in [0, 1], after refine. litAtZero: whether the quartic is lit at 0; at 1 it is not as
-  /// at 0.
-  double zero(std::size_t i, bool litAtZero) const;
-
-private:
+  std::size_t Count = 0;
   std::array<std::array<double, size>, 5> C;
   std::array<double, size> S;
   std::array<double, size> Moved; ///< by the last step

@@ -197,19 +197,21 @@ private:
     {
       ends[i] = this->endsOf(crossings[i]);
       curves[i] = this->TheCaster.curve(crossings[i].edge);
-      const bool together = curves[i].shape == EdgeCurve::Shape::Surface;
-      zeros.set(i,
-        together ? fieldQuartic(curves[i], this->Chain.light)
-                 : Quartic{ { 0.0, 1.0, 0.0, 0.0, 0.0 } },
-        guessCrossing(curves[i], ends[i].normalA, ends[i].normalB, ends[i].fieldA, ends[i].fieldB));
+      if (curves[i].shape == EdgeCurve::Shape::Surface)
+      {
+        const Ends& e = ends[i];
+        zeros.add(fieldQuartic(curves[i], this->Chain.light),
+          guessCrossing(curves[i], e.normalA, e.normalB, e.fieldA, e.fieldB));
+      }
     }
-    zeros.refine(count);
+    zeros.refine();
+    std::size_t passed = 0;
     for (std::size_t i = 0; i < count; ++i)
     {
       Crossing& c = crossings[i];
       const Ends& e = ends[i];
       c.parameter = curves[i].shape == EdgeCurve::Shape::Surface
-        ? zeros.zero(i, isLit(e.fieldA))
+        ? zeros.zero(passed++, isLit(e.fieldA))
         : solveCrossing(
             curves[i], e.normalA, e.normalB, e.fieldA, e.fieldB, this->Chain.light);
       const EdgeCurve::Sample sample = curves[i].sample(c.parameter, e.normalA, e.normalB);

@@ -28,16 +28,12 @@ SearchResult searchFaces(const SearchedMesh& s, const SearchIndex& index, const 
   result.tested = found.tested + index.apart.size();
   result.edges = std::move(found.items);
   result.multiplicities.resize(result.edges.size());
-  const bool oneKind = s.weights.parts.size() == 1;
-  const bool closed = oneKind && s.weights.parts[0].closed;
   for (std::size_t i = 0; i < result.edges.size(); ++i)
   {
-    // The first side runs from a to b. A closed part counts its lit side, any other one both.
+    // The first side runs from a to b; the second one weighs the same.
+    const ChainWeight weight = s.weights.face(s.edges.sides[2 * result.edges[i]] / 3);
     const int direction = found.lit[i] == 1 ? 1 : -1;
-    const bool once = oneKind
-      ? closed
-      : s.weights.parts[s.weights.part(s.edges.sides[2 * result.edges[i]] / 3)].closed;
-    result.multiplicities[i] = once ? direction : 2 * direction;
+    result.multiplicities[i] = direction * (weight.lit - weight.dark);
   }
   // Numbered behind the regular edges.
   for (const Index e : index.apart)
@@ -81,23 +77,25 @@ std::size_t SearchIndex::memory() const
     (this->creaseEdges.capacity() + this->apart.capacity()) * sizeof(Index);
 }
 
-SearchIndex buildSearchIndex(const SearchedMesh& s, FieldKind kind, const RangeLoop& loop)
+SearchIndex buildSearchIndex(
+  const SearchedMesh& s, FieldKind kind, const Ball& ball, const RangeLoop& loop)
 {
-  const Ball ball = s.mesh.ball();
   SearchIndex index;
   index.kind = kind;
   if (kind == FieldKind::Face)
   {
+    const std::vector<Vec4> planes = facePlanes(s.mesh, ball, loop);
     index.items = FacingHierarchy(2, s.edges.regular, ball, loop,
-      [&](Index e, unsigned k) { return facePlane(s.mesh, s.edges.sides[2 * e + k] / 3, ball); });
+      [&](Index e, unsigned k) { return planes[s.edges.sides[2 * e + k] / 3]; });
     for (std::size_t e = s.edges.regular; e < s.edges.edges.size(); ++e)
     {
       index.apart.push_back(static_cast<Index>(e));
     }
     return index;
   }
+  const std::vector<Vec4> planes = cornerPlanes(s.mesh, ball, loop);
   index.items = FacingHierarchy(3, s.mesh.triangles.size(), ball, loop,
-    [&](Index t, unsigned k) { return cornerPlane(s.mesh, s.mesh.cornerNormals[t][k], ball); });
+    [&](Index t, unsigned k) { return planes[s.mesh.cornerNormals[t][k]]; });
   for (const Index e : s.linkEdges)
   {
     const ChainWeight sum = sumOfSides(s.mesh, s.edges, s.weights, FieldKind::Corner, e);
@@ -105,8 +103,7 @@ SearchIndex buildSearchIndex(const SearchedMesh& s, FieldKind kind, const RangeL
     (fits ? index.creaseEdges : index.apart).push_back(e);
   }
   index.creases = FacingHierarchy(4, index.creaseEdges.size(), ball, loop,
-    [&](Index i, unsigned k)
-    { return cornerPlane(s.mesh, creaseNormal(s, index.creaseEdges[i], k), ball); });
+    [&](Index i, unsigned k) { return planes[creaseNormal(s, index.creaseEdges[i], k)]; });
   return index;
 }
 

@@ -61,7 +61,8 @@ struct SearchIndex
   std::size_t memory() const; ///< bytes
 };
 
-SearchIndex buildSearchIndex(const SearchedMesh& searched, FieldKind kind, const RangeLoop& loop);
+SearchIndex buildSearchIndex(
+  const SearchedMesh& searched, FieldKind kind, const Ball& ball, const RangeLoop& loop);
 
 /// All there is, with the tree or without; both find the same: every sign is that of the field in
 /// double.
@@ -72,7 +73,8 @@ SearchResult search(const SearchedMesh& searched, const SearchIndex& index, cons
 inline SearchResult searchAll(
   const SearchedMesh& searched, const Light& light, FieldKind kind, const RangeLoop& loop)
 {
-  return search(searched, buildSearchIndex(searched, kind, loop), light, false, loop);
+  const Ball ball = searched.mesh.ball();
+  return search(searched, buildSearchIndex(searched, kind, ball, loop), light, false, loop);
 }
 
 /// Whether a corner field's silhouette runs through a triangle. isLit(n) tells whether corner

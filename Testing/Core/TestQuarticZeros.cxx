@@ -21,8 +21,8 @@ double size(const Quartic& q)
 double zeroOf(const Quartic& q, double start)
 {
   QuarticZeros zeros;
-  zeros.set(0, q, start);
-  zeros.refine(1);
+  zeros.add(q, start);
+  zeros.refine();
   return zeros.zero(0, isLit(q.value(0.0)));
 }
 }
@@ -87,9 +87,9 @@ TEST(QuarticZeros, AllPlacesAreAlike)
     QuarticZeros zeros;
     for (std::size_t i = 0; i < count; ++i)
     {
-      zeros.set(i, q, 0.25);
+      zeros.add(q, 0.25);
     }
-    zeros.refine(count);
+    zeros.refine();
     for (std::size_t i = 0; i < count; ++i)
     {
       EXPECT_EQ(zeros.zero(i, false), alone);
