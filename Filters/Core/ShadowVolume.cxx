@@ -1,6 +1,7 @@
 #include "ShadowVolume.h"
 
 #include "VolumeCaps.h"
+#include "VolumeDepth.h"
 
 #include <algorithm>
 
@@ -39,6 +40,9 @@ public:
       forEachStretch(this->Silhouette, loop,
         [&](const Stretch& s) { this->addGap(s, this->Silhouette.multiplicity[loop]); });
     }
+    const bool lightIsOutside = this->lightIsOutside();
+    this->Volume.greatestDepth = greatestDepth(this->Silhouette, this->Chain.light,
+      this->TheCaster.centre(), lightIsOutside, this->Volume);
     const std::size_t nearEnd = this->Volume.triangles.size();
     this->Volume.firstEnd = this->Volume.points.size();
     this->Extruded.assign(this->Volume.points.size(), None);
@@ -51,8 +55,7 @@ public:
     }
     if (caps != Caps::None && !this->endsInOnePoint())
     {
-      this->isInfinite() && this->lightIsOutside() ? this->addFarFan()
-                                                   : this->projectNearCap(nearEnd);
+      this->isInfinite() && lightIsOutside ? this->addFarFan() : this->projectNearCap(nearEnd);
     }
     return std::move(this->Volume);
   }
@@ -271,6 +274,7 @@ ShadowVolume extrude(const Caster& caster, const SilhouetteChain& chain,
 {
   return VolumeBuilder(caster, chain, silhouette, settings).build();
 }
+
 double enclosedVolume(const ShadowVolume& volume, const Vec3& centre)
 {
   double sum = 0.0;

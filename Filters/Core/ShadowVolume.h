@@ -38,6 +38,7 @@ struct ShadowVolume
   /// belong to no single one. firstEnd + i is the point of origin[i].
   std::size_t firstEnd = 0;
   std::vector<Index> origin;
+  int greatestDepth = 0;     ///< how often it winds around a point at most, see VolumeDepth
   std::size_t unreached = 0; ///< points whose rays do not come to the plane they should end on
 };
 

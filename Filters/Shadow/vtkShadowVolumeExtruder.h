@@ -24,8 +24,11 @@
  * - CellData `Part` (0 cap, 1 gap between a smooth silhouette and the mesh, 2 wall, 3 far cap),
  *   `Multiplicity` (how often the triangle counts, at least 1).
  * - FieldData `Closed`: 1 if the directed edges of all triangles, taken with their multiplicity,
- * sum to zero: so it is by construction, as silhouettes that are not of the mesh's chain are
- * refused, unless Caps is NONE or the silhouette's search left some of it out.
+ *   sum to zero: so it is by construction, as silhouettes that are not of the mesh's chain are
+ *   refused, unless Caps is NONE or the silhouette's search left some of it out.
+ *   `GreatestDepth`: a bound on how often the volume winds around a point (far behind the mesh, if a
+ *   corner field's cap turns away from the light in places). `Volume`, of a finite extent: what it
+ *   encloses.
  *
  * Errors: a silhouette that does not belong to the mesh gives vtkErrorMacro and no output, as does
  * a light that is not finite or is all zero. At most 2^30 points and 2^31 corners of triangles,

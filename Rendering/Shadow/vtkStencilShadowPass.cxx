@@ -33,6 +33,7 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <cstdint>
 
 vtkStandardNewMacro(vtkStencilShadowPass);
 vtkCxxSetObjectMacro(vtkStencilShadowPass, DelegatePass, vtkRenderPass);
@@ -97,9 +98,10 @@ public:
   }
 
   /**
-   * Draws the mask of each light, on the depth that is there.
+   * Draws the mask of each light, on the depth that is there. Gives the reason if counts had to do
+   * with fewer bits than they may need, or nothing.
    */
-  void DrawMasks(vtkRenderer* renderer, const std::vector<ShadowLight>& lights,
+  std::string DrawMasks(vtkRenderer* renderer, const std::vector<ShadowLight>& lights,
     const VolumeCache::Quality& quality);
 
   LightSwitches Switches;
@@ -163,28 +165,41 @@ Matrix4 FindWorldToClip(vtkRenderer* renderer)
 }
 }
 
-void vtkStencilShadowPass::Internals::DrawMasks(vtkRenderer* renderer,
+std::string vtkStencilShadowPass::Internals::DrawMasks(vtkRenderer* renderer,
   const std::vector<ShadowLight>& lights, const VolumeCache::Quality& quality)
 {
   vtkOpenGLState* state = this->Window->GetState();
   const Matrix4 worldToClip = FindWorldToClip(renderer);
   const std::vector<ShadowCaster> casters = CollectShadowCasters(renderer);
   this->Volumes.BeginFrame();
+  std::string error;
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    const auto mask = static_cast<int>(i);
-    this->Target.BeginMask(state, mask);
-    this->Counter.BeginCounting(state);
+    std::vector<const VolumeBuffers*> volumes;
+    std::int64_t depth = 0;
     for (const ShadowCaster& caster : casters)
     {
-      const VolumeBuffers& volume = this->Volumes.Get(renderer, caster.Mesh,
-        caster.MoveIntoMesh(lights[i].Position), quality, this->Counter.GetAttribute());
-      this->Counter.Count(volume, worldToClip * caster.ToWorld);
+      volumes.push_back(&this->Volumes.Get(renderer, caster.Mesh,
+        caster.MoveIntoMesh(lights[i].Position), quality, this->Counter.GetAttribute()));
+      depth += volumes.back()->GetGreatestDepth();
+    }
+    const auto mask = static_cast<int>(i);
+    this->Target.BeginMask(state, mask);
+    const bool inFloats = depth > VolumeCounter::GreatestStencilDepth &&
+      this->Target.BeginCounts(state, error);
+    inFloats ? this->Counter.BeginCountingInFloats(state)
+             : this->Counter.BeginCountingInStencil(state);
+    for (std::size_t caster = 0; caster < casters.size(); ++caster)
+    {
+      this->Counter.Count(*volumes[caster], worldToClip * casters[caster].ToWorld);
     }
     this->Target.OpenMask(state, mask);
-    this->Counter.WriteMask(state);
+    inFloats
+      ? this->Counter.WriteMaskOfFloats(state, this->Target.GetCounts(), this->TextureUnit)
+      : this->Counter.WriteMaskOfStencil(state);
   }
   this->Volumes.EndFrame(renderer);
+  return error;
 }
 
 vtkStencilShadowPass::vtkStencilShadowPass()
@@ -278,13 +293,13 @@ bool vtkStencilShadowPass::MakeMasks(const vtkRenderState* state)
         glState, size[0], size[1], static_cast<int>(lights.size()), error) ||
     !internal.Counter.Prepare(window, error))
   {
-    this->WarnOnce(error);
+    this->WarnOnce("No shadows in this window: " + error);
     return false;
   }
   internal.TextureUnit = glState->GetTextureUnitManager()->Allocate();
   if (internal.TextureUnit < 0)
   {
-    this->WarnOnce("no texture unit is free for the masks");
+    this->WarnOnce("No shadows in this window: no texture unit is free for the masks");
     return false;
   }
   internal.SetLights(lights);
@@ -300,7 +315,13 @@ bool vtkStencilShadowPass::MakeMasks(const vtkRenderState* state)
     internal.DepthPass->Render(state);
   }
 
-  internal.DrawMasks(renderer, lights, { this->Kind, this->Tolerance });
+  const std::string tooFewBits =
+    internal.DrawMasks(renderer, lights, { this->Kind, this->Tolerance });
+  if (!tooFewBits.empty())
+  {
+    this->WarnOnce("256 shadow volumes around a point count as none, as floats cannot be drawn: " +
+      tooFewBits);
+  }
   return true;
 }
 
@@ -324,7 +345,7 @@ void vtkStencilShadowPass::WarnOnce(const std::string& reason)
   if (!this->Internal->HasWarned)
   {
     this->Internal->HasWarned = true;
-    vtkWarningMacro("No shadows in this window: " << reason << ".");
+    vtkWarningMacro(<< reason << ".");
   }
 }
 

@@ -8,7 +8,7 @@
  *
  * Per frame: depth of the opaque props into an own framebuffer; then, for each light that casts,
  * the actors' shadow volumes (vtkSmoothLightSilhouette, vtkShadowVolumeExtruder) counted in the
- * stencil buffer by z-fail (Everitt & Kilgard 2002), which is right with the eye in shadow and
+ * stencil buffer (in floats where there may be more than it can count) by z-fail (Everitt & Kilgard 2002), which is right with the eye in shadow and
  * with volumes cut by the near plane; the zero counts become the light's visibility mask; last,
  * the delegate draws with the mask applied to the light's colour. Volumes are remade only for a
  * light or an actor that moved or was modified.
@@ -33,8 +33,8 @@
  * Limits: composite and glyph mappers receive but do not cast. Clipping planes of mappers,
  * replacements in their shaders and holes in textures are not seen in shadows. Translucent actors
  * neither cast nor are darkened. The mask has one value a pixel, so multisampling does not smooth
- * shadow edges: put vtkSSAAPass around. Exactly 256 volumes around a point count as none. While
- * something is being selected, the delegate draws without shadows.
+ * shadow edges: put vtkSSAAPass around. While something is being selected, the delegate draws
+ * without shadows.
  *
  * Errors: where OpenGL cannot give the framebuffer, with 8 bits of stencil, there is one warning
  * and no shadows.

@@ -125,10 +125,15 @@ void writeVolume(const shadow::ShadowVolume& volume, const shadow::Vec3& centre,
   writeTriangles(volume, output);
   writeStrips(volume, output);
   writeCellData(volume, output);
-  vtkNew<vtkIntArray> isClosed;
-  isClosed->SetName("Closed");
-  isClosed->InsertNextValue(closed);
-  output->GetFieldData()->AddArray(isClosed);
+  const auto addInteger = [&](const char* name, int value)
+  {
+    vtkNew<vtkIntArray> array;
+    array->SetName(name);
+    array->InsertNextValue(value);
+    output->GetFieldData()->AddArray(array);
+  };
+  addInteger("Closed", closed);
+  addInteger("GreatestDepth", volume.greatestDepth);
   if (closed && end.extent != shadow::Extent::Infinite)
   {
     vtkNew<vtkDoubleArray> enclosed;

@@ -42,6 +42,9 @@ RestoredState::RestoredState(vtkOpenGLState* state)
   glGetIntegerv(GL_VIEWPORT, this->Viewport.data());
   glGetIntegerv(GL_SCISSOR_BOX, this->Scissor.data());
   glGetBooleanv(GL_COLOR_WRITEMASK, this->ColorMask.data());
+  this->BlendFunction = { GetInteger(GL_BLEND_SRC_RGB), GetInteger(GL_BLEND_DST_RGB),
+    GetInteger(GL_BLEND_SRC_ALPHA), GetInteger(GL_BLEND_DST_ALPHA) };
+  this->BlendEquation = { GetInteger(GL_BLEND_EQUATION_RGB), GetInteger(GL_BLEND_EQUATION_ALPHA) };
   glGetBooleanv(GL_DEPTH_WRITEMASK, &this->DepthMask);
   this->DepthFunction = GetInteger(GL_DEPTH_FUNC);
   this->ActiveTexture = GetInteger(GL_ACTIVE_TEXTURE);
@@ -74,6 +77,11 @@ RestoredState::~RestoredState()
   this->State->vtkglScissor(this->Scissor[0], this->Scissor[1], this->Scissor[2], this->Scissor[3]);
   this->State->vtkglColorMask(
     this->ColorMask[0], this->ColorMask[1], this->ColorMask[2], this->ColorMask[3]);
+  this->State->vtkglBlendFuncSeparate(static_cast<GLenum>(this->BlendFunction[0]),
+    static_cast<GLenum>(this->BlendFunction[1]), static_cast<GLenum>(this->BlendFunction[2]),
+    static_cast<GLenum>(this->BlendFunction[3]));
+  this->State->vtkglBlendEquationSeparate(static_cast<GLenum>(this->BlendEquation[0]),
+    static_cast<GLenum>(this->BlendEquation[1]));
   this->State->vtkglDepthMask(this->DepthMask);
   this->State->vtkglDepthFunc(static_cast<GLenum>(this->DepthFunction));
   this->State->vtkglActiveTexture(static_cast<GLenum>(this->ActiveTexture));

@@ -39,6 +39,8 @@ private:
   std::array<int, 4> Viewport;
   std::array<int, 4> Scissor;
   std::array<unsigned char, 4> ColorMask;
+  std::array<int, 4> BlendFunction;
+  std::array<int, 2> BlendEquation;
   unsigned char DepthMask;
   int DepthFunction;
   int ActiveTexture;

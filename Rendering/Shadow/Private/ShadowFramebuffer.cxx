@@ -118,6 +118,7 @@ void ShadowFramebuffer::Release()
   {
     glDeleteFramebuffers(1, &this->MaskTarget);
   }
+  this->ReleaseCounts();
   if (this->Masks)
   {
     glDeleteTextures(1, &this->Masks);
@@ -127,6 +128,17 @@ void ShadowFramebuffer::Release()
     glDeleteRenderbuffers(1, &this->DepthStencil);
   }
   *this = ShadowFramebuffer();
+}
+
+void ShadowFramebuffer::ReleaseCounts()
+{
+  if (this->CountTarget)
+  {
+    glDeleteFramebuffers(1, &this->CountTarget);
+    glDeleteTextures(1, &this->Counts);
+  }
+  this->CountTarget = 0;
+  this->Counts = 0;
 }
 
 void ShadowFramebuffer::BeginDepth(vtkOpenGLState* state)
@@ -157,8 +169,50 @@ void ShadowFramebuffer::BeginMask(vtkOpenGLState* state, int mask)
   glClearBufferiv(GL_STENCIL, 0, &none);
 }
 
+bool ShadowFramebuffer::BeginCounts(vtkOpenGLState* state, std::string& error)
+{
+  if (!this->CountTarget && !this->CreateCounts(state, error))
+  {
+    return false;
+  }
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->CountTarget);
+  const float none[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glClearBufferfv(GL_COLOR, 0, none);
+  return true;
+}
+
+bool ShadowFramebuffer::CreateCounts(vtkOpenGLState* state, std::string& error)
+{
+  GLint boundTexture = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &boundTexture);
+  glGenTextures(1, &this->Counts);
+  glBindTexture(GL_TEXTURE_2D, this->Counts);
+  glTexImage2D(
+    GL_TEXTURE_2D, 0, GL_R32F, this->Width, this->Height, 0, GL_RED, GL_FLOAT, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(boundTexture));
+
+  glGenFramebuffers(1, &this->CountTarget);
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->CountTarget);
+  glFramebufferRenderbuffer(
+    GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, this->DepthStencil);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Counts, 0);
+  glDrawBuffer(GL_COLOR_ATTACHMENT0);
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
+  if (!Check(error))
+  {
+    this->ReleaseCounts();
+    return false;
+  }
+  return true;
+}
+
 void ShadowFramebuffer::OpenMask(vtkOpenGLState* state, int mask)
 {
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->MaskTarget);
   const int channel = mask % ChannelsPerLayer;
   state->vtkglColorMask(channel == 0, channel == 1, channel == 2, channel == 3);
 }

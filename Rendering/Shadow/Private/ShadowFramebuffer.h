@@ -2,6 +2,8 @@
  * What the pass draws into before the delegate draws: depth and stencil of the renderer's size,
  * and one mask per casting light.
  *
+ * Counts of shadow volumes go into the stencil or, where 8 bits may not do, into floats.
+ *
  * A mask is a channel of a layer of one RGBA8 array texture, so that any number of lights costs
  * the mappers' shaders a single texture unit. Depth and stencil are one buffer: drivers need not
  * support them apart.
@@ -47,7 +49,15 @@ public:
   void BeginMask(vtkOpenGLState* state, int mask);
 
   /**
-   * Makes that mask's channel the only one that can be written.
+   * Binds the buffers with the counts as colour, which are made when first asked for, and clears
+   * these: for counts that a stencil buffer has too few bits for. On failure says why in `error` and
+   * returns false.
+   */
+  bool BeginCounts(vtkOpenGLState* state, std::string& error);
+
+  /**
+   * Binds that mask's layer, as BeginMask left it, and makes its channel the only one that can be
+   * written.
    */
   void OpenMask(vtkOpenGLState* state, int mask);
 
@@ -58,12 +68,19 @@ public:
   static void UnbindMasks(vtkOpenGLState* state, int unit);
 
   /**
+   * The counts: one component of float, to be fetched as the texture it is.
+   */
+  unsigned int GetCounts() const { return this->Counts; }
+
+  /**
    * One component, unsigned char. Null if nothing is allocated.
    */
   vtkSmartPointer<vtkImageData> ReadMask(vtkOpenGLState* state, int mask) const;
 
 private:
   bool Create(vtkOpenGLState* state, std::string& error);
+  bool CreateCounts(vtkOpenGLState* state, std::string& error);
+  void ReleaseCounts();
 
   int Width = 0;
   int Height = 0;
@@ -72,6 +89,8 @@ private:
   unsigned int Masks = 0;
   unsigned int DepthTarget = 0;
   unsigned int MaskTarget = 0;
+  unsigned int Counts = 0;
+  unsigned int CountTarget = 0;
 };
 
 #endif

@@ -6,6 +6,7 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -76,6 +77,8 @@ void VolumeBuffers::Upload(vtkPolyData* volume, unsigned int attribute)
     return;
   }
 
+  this->GreatestDepth =
+    static_cast<int>(volume->GetFieldData()->GetArray("GreatestDepth")->GetComponent(0, 0));
   const vtkIdType pointCount = homogeneous->GetNumberOfTuples();
   const double* points = homogeneous->GetPointer(0);
   this->Origin = FindMiddle(points, pointCount);
@@ -139,6 +142,7 @@ void VolumeBuffers::Release()
   this->Indices = 0;
   this->CapIndices = 0;
   this->SideIndices = 0;
+  this->GreatestDepth = 0;
 }
 
 void VolumeBuffers::Draw(int first, int count) const

@@ -40,10 +40,16 @@ public:
    */
   const std::array<double, 3>& GetOrigin() const { return this->Origin; }
 
+  /**
+   * How often the volume winds around a point at most.
+   */
+  int GetGreatestDepth() const { return this->GreatestDepth; }
+
 private:
   void Draw(int first, int count) const;
 
   std::array<double, 3> Origin{};
+  int GreatestDepth = 0;
   int CapIndices = 0;
   int SideIndices = 0;
   unsigned int VertexArray = 0;

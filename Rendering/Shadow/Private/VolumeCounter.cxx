@@ -3,6 +3,7 @@
 #include "OpenGLFunctions.h"
 #include "VolumeBuffers.h"
 
+#include "ShadowCountsMaskFS.h"
 #include "ShadowMaskFS.h"
 #include "ShadowMaskVS.h"
 #include "ShadowVolumeFS.h"
@@ -17,18 +18,19 @@
 
 bool VolumeCounter::Prepare(vtkOpenGLRenderWindow* window, std::string& error)
 {
-  if (this->CountProgram && this->MaskProgram)
+  if (this->CountProgram && this->MaskProgram && this->CountsMaskProgram)
   {
     return true;
   }
   this->Window = window;
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
   this->MaskProgram = cache->ReadyShaderProgram(ShadowMaskVS, ShadowMaskFS, "");
+  this->CountsMaskProgram = cache->ReadyShaderProgram(ShadowMaskVS, ShadowCountsMaskFS, "");
   this->CountProgram = cache->ReadyShaderProgram(ShadowVolumeVS, ShadowVolumeFS, "");
   const GLint attribute = this->CountProgram
     ? glGetAttribLocation(static_cast<GLuint>(this->CountProgram->GetHandle()), "homogeneous")
     : -1;
-  if (!this->MaskProgram || attribute < 0)
+  if (!this->MaskProgram || !this->CountsMaskProgram || attribute < 0)
   {
     error = "the volumes' shaders do not compile";
     return false;
@@ -50,23 +52,39 @@ void VolumeCounter::Release()
 void VolumeCounter::BeginCounting(vtkOpenGLState* state)
 {
   this->Window->GetShaderCache()->ReadyShaderProgram(this->CountProgram);
-
-  // Colour could stay writable, as the fragment shader writes none: this is for the driver's sake.
-  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthFunc(GL_LESS);
-  state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_CULL_FACE);
+
+  // Without it the near and the far plane would cut the volumes open.
+  glEnable(GL_DEPTH_CLAMP);
+  glPolygonOffset(1.0f, 1.0f);
+}
+
+void VolumeCounter::BeginCountingInStencil(vtkOpenGLState* state)
+{
+  this->BeginCounting(state);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDepthFunc(GL_LESS);
   state->vtkglEnable(GL_STENCIL_TEST);
   state->vtkglStencilMask(~0u);
   state->vtkglStencilFunc(GL_ALWAYS, 0, ~0u);
   state->vtkglStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
   state->vtkglStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+}
 
-  // Without it the near and the far plane would cut the volumes open.
-  glEnable(GL_DEPTH_CLAMP);
-  glPolygonOffset(1.0f, 1.0f);
+void VolumeCounter::BeginCountingInFloats(vtkOpenGLState* state)
+{
+  this->BeginCounting(state);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDisable(GL_STENCIL_TEST);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+
+  // What fails the stencil's test passes this one.
+  state->vtkglDepthFunc(GL_GEQUAL);
 }
 
 void VolumeCounter::Count(const VolumeBuffers& volume, const Matrix4& toClip)
@@ -90,16 +108,34 @@ void VolumeCounter::Count(const VolumeBuffers& volume, const Matrix4& toClip)
   volume.DrawSides();
 }
 
-void VolumeCounter::WriteMask(vtkOpenGLState* state)
+void VolumeCounter::WriteMaskOfStencil(vtkOpenGLState* state)
 {
-  this->Window->GetShaderCache()->ReadyShaderProgram(this->MaskProgram);
+  state->vtkglStencilFunc(GL_NOTEQUAL, 0, ~0u);
+  state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  this->WriteMask(state, this->MaskProgram);
+}
+
+void VolumeCounter::WriteMaskOfFloats(vtkOpenGLState* state, unsigned int counts, int unit)
+{
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(unit));
+  GLint bound = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+  glBindTexture(GL_TEXTURE_2D, counts);
+  this->Window->GetShaderCache()->ReadyShaderProgram(this->CountsMaskProgram);
+  this->CountsMaskProgram->SetUniformi("counts", unit);
+  this->WriteMask(state, this->CountsMaskProgram);
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
+}
+
+void VolumeCounter::WriteMask(vtkOpenGLState* state, vtkShaderProgram* program)
+{
+  this->Window->GetShaderCache()->ReadyShaderProgram(program);
 
   // The triangle lies at depth 1: GREATER lets pass what is nearer than the background.
   glDisable(GL_DEPTH_CLAMP);
   glFrontFace(GL_CCW);
   state->vtkglDepthFunc(GL_GREATER);
-  state->vtkglStencilFunc(GL_NOTEQUAL, 0, ~0u);
-  state->vtkglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
   glBindVertexArray(this->EmptyVertexArray);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -1,5 +1,7 @@
 /**
- * Counts shadow volumes in the stencil buffer and turns the counts into a mask.
+ * Counts shadow volumes and turns the counts into a mask. Counting is done by the stencil, whose 8
+ * bits take 256 for 0, or, where there may be as many volumes, by blending floats, which is exact
+ * up to 2^24 and dearer.
  *
  * z-fail: behind each pixel's surface, back faces count 1 and front faces -1. What remains is how
  * many volumes the surface lies in, wherever the eye is.
@@ -35,20 +37,35 @@ public:
   unsigned int GetAttribute() const { return this->Attribute; }
 
   /**
-   * Sets the state for calls of Count, where `toClip` takes the mesh to clip coordinates.
+   * The greatest depth of volumes that the stencil counts. It is half of what 8 bits hold, as
+   * layers of caps that face away from the light may count on top, see
+   * vtkShadowVolumeExtruder's GreatestDepth.
    */
-  void BeginCounting(vtkOpenGLState* state);
+  static constexpr int GreatestStencilDepth = 127;
+
+  /**
+   * Sets the state for calls of Count, where `toClip` takes the mesh to clip coordinates: into the
+   * stencil of the framebuffer that is bound, or into its colour.
+   */
+  void BeginCountingInStencil(vtkOpenGLState* state);
+  void BeginCountingInFloats(vtkOpenGLState* state);
   void Count(const VolumeBuffers& volume, const Matrix4& toClip);
 
   /**
    * Draws 0 into the writable channels wherever the count is not 0, but not on the background.
+   * For counts in floats `unit` is the texture unit that is free to read `counts` with.
    */
-  void WriteMask(vtkOpenGLState* state);
+  void WriteMaskOfStencil(vtkOpenGLState* state);
+  void WriteMaskOfFloats(vtkOpenGLState* state, unsigned int counts, int unit);
 
 private:
+  void BeginCounting(vtkOpenGLState* state);
+  void WriteMask(vtkOpenGLState* state, vtkShaderProgram* program);
+
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkShaderProgram* CountProgram = nullptr;
   vtkShaderProgram* MaskProgram = nullptr;
+  vtkShaderProgram* CountsMaskProgram = nullptr;
   unsigned int Attribute = 0;
   unsigned int EmptyVertexArray = 0;
 };
