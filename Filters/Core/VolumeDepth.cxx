@@ -29,26 +29,31 @@ struct MeridianFrame
 class Sectors
 {
 public:
-  void add(std::size_t first, std::size_t last, int count)
+  /// From one sector on up to, not including, another one; around the end if that comes before.
+  void add(std::size_t first, std::size_t end, int count)
   {
     this->Differences[first] += count;
-    this->Differences[last + 1] -= count;
+    this->Differences[end] -= count;
+    this->AtStart += first > end ? count : 0;
   }
+
+  void addEverywhere(int count) { this->AtStart += count; }
 
   int greatest() const
   {
+    int sum = this->AtStart;
     int most = 0;
-    int sum = 0;
-    for (const int difference : this->Differences)
+    for (std::size_t i = 0; i < sectorCount; ++i)
     {
-      sum += difference;
+      sum += this->Differences[i];
       most = std::max(most, sum);
     }
     return most;
   }
 
 private:
-  std::array<int, sectorCount + 1> Differences{};
+  std::array<int, sectorCount> Differences{};
+  int AtStart = 0;
 };
 
 /// What grows with the angle of (x, y), from 0 to 4 in a turn, without a trigonometric function.
@@ -64,34 +69,68 @@ std::size_t sector(double turned)
   return std::min(static_cast<std::size_t>(turned * (sectorCount / 4.0)), sectorCount - 1);
 }
 
-/// Adds a segment to the sectors that it passes, by the shorter way around the axis; one that
-/// comes too close to the axis to tell the way goes to all, in both senses.
-void addSegment(double from, double to, int count, Sectors& forward, Sectors& backward)
+enum class Sense
 {
-  constexpr double halfTurn = 2.0;
+  Unknown, ///< too close to the axis to tell which way around it is the shorter one
+  Forward,
+  Backward
+};
+
+Sense sense(double from, double to)
+{
+  constexpr double wholeTurn = 4.0;
   constexpr double surelyShorter = 1.75;
   const double change = to - from;
-  const bool acrossStart = std::fabs(change) > halfTurn;
-  const double way = acrossStart ? 2.0 * halfTurn - std::fabs(change) : std::fabs(change);
-  if (way > surelyShorter)
-  {
-    forward.add(0, sectorCount - 1, count);
-    backward.add(0, sectorCount - 1, count);
-    return;
-  }
-  Sectors& sectors = (change > 0.0) != acrossStart ? forward : backward;
-  const std::size_t low = sector(std::min(from, to));
-  const std::size_t high = sector(std::max(from, to));
-  if (acrossStart)
-  {
-    sectors.add(0, low, count);
-    sectors.add(high, sectorCount - 1, count);
-  }
-  else
-  {
-    sectors.add(low, high, count);
-  }
+  const double forward = change < 0.0 ? change + wholeTurn : change;
+  return forward <= surelyShorter ? Sense::Forward
+    : wholeTurn - forward <= surelyShorter ? Sense::Backward
+                                           : Sense::Unknown;
 }
+
+/// What runs across the meridians in one and in the other sense.
+class MeridianCounts
+{
+public:
+  /// Adds a loop by the angles of its points. A sector in which one segment ends and the next goes
+  /// on in the same sense counts once.
+  void addLoop(const std::vector<double>& turns, int count)
+  {
+    Sense before = sense(turns.back(), turns.front());
+    for (std::size_t i = 0; i < turns.size(); ++i)
+    {
+      const double from = turns[i];
+      const double to = turns[i + 1 < turns.size() ? i + 1 : 0];
+      const Sense now = sense(from, to);
+      const bool goesOn = now == before;
+      this->addSegment(sector(from), sector(to), now, goesOn, count);
+      before = now;
+    }
+  }
+
+  int greatest() const { return std::max(this->Forward.greatest(), this->Backward.greatest()); }
+
+private:
+  void addSegment(std::size_t from, std::size_t to, Sense sense, bool goesOn, int count)
+  {
+    const auto after = [](std::size_t i) { return i + 1 < sectorCount ? i + 1 : 0; };
+    if (sense == Sense::Unknown)
+    {
+      this->Forward.addEverywhere(count);
+      this->Backward.addEverywhere(count);
+    }
+    else if (sense == Sense::Forward && !(goesOn && from == to))
+    {
+      this->Forward.add(goesOn ? after(from) : from, after(to), count);
+    }
+    else if (sense == Sense::Backward && !(goesOn && from == to))
+    {
+      this->Backward.add(to, goesOn ? from : after(from), count);
+    }
+  }
+
+  Sectors Forward;
+  Sectors Backward;
+};
 
 /// Whether a triangle may be hit in a direction from the light; in doubt it is.
 bool mayHit(const Vec3& direction, const std::array<Vec3, 3>& rays)
@@ -139,20 +178,21 @@ int greatestDepth(const SilhouetteInput& silhouette, const Light& light, const V
     const Vec3 from = silhouette.points[i] - centre;
     turns[i] = turn(glm::dot(from, frame.x), glm::dot(from, frame.y));
   }
-  Sectors forward;
-  Sectors backward;
+  MeridianCounts counts;
+  std::vector<double> loopTurns;
   for (std::size_t loop = 0; loop < silhouette.multiplicity.size(); ++loop)
   {
-    const std::size_t begin = silhouette.first[loop];
-    const std::size_t end = silhouette.first[loop + 1];
-    for (std::size_t i = begin; i < end; ++i)
+    loopTurns.clear();
+    for (std::size_t i = silhouette.first[loop]; i < silhouette.first[loop + 1]; ++i)
     {
-      const Index p = silhouette.loopPoints[i];
-      const Index q = silhouette.loopPoints[i + 1 < end ? i + 1 : begin];
-      addSegment(turns[p], turns[q], silhouette.multiplicity[loop], forward, backward);
+      loopTurns.push_back(turns[silhouette.loopPoints[i]]);
+    }
+    if (!loopTurns.empty())
+    {
+      counts.addLoop(loopTurns, silhouette.multiplicity[loop]);
     }
   }
   const int atPole = lightIsOutside ? 0 : depthOfCap(volume, light, frame.axis);
-  return atPole + std::max(forward.greatest(), backward.greatest());
+  return atPole + counts.greatest();
 }
 }

@@ -224,6 +224,37 @@ TEST(ShadowVolumeExtruder, PartsAreWhatTheyAreCalled)
   EXPECT_GT(shadowtest::openEdges(pipeline.volume()), 0);
 }
 
+// A bound, but a tight one where the silhouette is simple.
+TEST(ShadowVolumeExtruder, GreatestDepth)
+{
+  const auto depth = [](vtkPolyData* mesh, const LightPosition& light, int kind) {
+    ShadowPipeline pipeline(mesh, light, kind);
+    return shadowtest::fieldValue(pipeline.volume(), "GreatestDepth");
+  };
+  const shadowtest::Mesh sheets = shadowtest::merged({ shadowtest::ground(0.0, 1.0, 2),
+    shadowtest::ground(0.3, 0.8, 3), shadowtest::ground(0.6, 0.5, 1) });
+  for (const LightPosition& light : Lights)
+  {
+    for (const int kind : shadowtest::AllKinds)
+    {
+      EXPECT_EQ(depth(shadowtest::sphere(12, 24), light, kind), 1.0);
+      EXPECT_EQ(depth(shadowtest::box(), light, kind), 1.0);
+      EXPECT_GE(depth(shadowtest::torus(24, 12), light, kind), 1.0);
+      EXPECT_LE(depth(shadowtest::torus(24, 12), light, kind), 4.0);
+    }
+  }
+  for (const int kind : shadowtest::AllKinds)
+  {
+    EXPECT_EQ(depth(sheets, Lights[1], kind), 3.0);
+    // From between them one sees at most two behind each other.
+    const double between = depth(sheets, { 0.2, 0.1, 0.4, 1.0 }, kind);
+    EXPECT_GE(between, 2.0);
+    EXPECT_LE(between, 4.0);
+  }
+  // The middle of its bounds is on its border.
+  EXPECT_LE(depth(shadowtest::triangle(), Lights[1], vtkSmoothLightSilhouette::DISCRETE), 2.0);
+}
+
 TEST(ShadowVolumeExtruder, MakesADiscreteSilhouetteItself)
 {
   const shadowtest::Mesh torus = shadowtest::torus(24, 12);

@@ -162,6 +162,7 @@ TEST(RandomMeshes, DiscreteVolumesWindAroundWhatIsInShadow)
       }
       const double winding = shadowtest::windingNumber(volume, point.data());
       EXPECT_NEAR(winding, std::round(winding), shadowtest::tolerance::Winding);
+      EXPECT_LE(std::round(std::fabs(winding)), shadowtest::fieldValue(volume, "GreatestDepth"));
       EXPECT_EQ(std::fabs(winding) > 0.5, blockers.Count > 0)
         << "point " << point[0] << ' ' << point[1] << ' ' << point[2] << ", winding " << winding
         << ", blockers " << blockers.Count;
