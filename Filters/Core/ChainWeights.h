@@ -68,6 +68,14 @@ struct ChainWeights
     return kind == FieldKind::Face ? this->face(triangle) : this->corner(triangle);
   }
 
+  /// Whether a triangle's corner normals point out of its part, if that is closed; all others'
+  /// say themselves where out is.
+  bool cornersPointOutward(Index triangle) const
+  {
+    const MeshPart& own = this->parts[this->part(triangle)];
+    return !own.closed || own.outward == own.normalsAgree;
+  }
+
   /// For each part whether its cap is what the field calls dark, reversed. Lit and dark part of a
   /// closed part are together without boundary: one and the other one reversed bound the same.
   /// Parts that are not closed have all of themselves as the cap, with the silhouette's weights.

@@ -2,6 +2,7 @@
 
 #include "VolumeCaps.h"
 #include "VolumeDepth.h"
+#include "VolumeRims.h"
 
 #include <algorithm>
 
@@ -29,33 +30,28 @@ public:
   {
     const Caps caps = this->Settings.caps;
     this->placeMeshPoints();
-    this->placeSilhouettePoints();
     if (caps != Caps::None)
     {
       addCaps(this->TheCaster, this->Chain,
         caps == Caps::Lit ? CapSide::Lit : CapSide::Dark, this->Volume.triangles);
     }
-    for (std::size_t loop = 0; loop < this->Silhouette.multiplicity.size(); ++loop)
-    {
-      forEachStretch(this->Silhouette, loop,
-        [&](const Stretch& s) { this->addGap(s, this->Silhouette.multiplicity[loop]); });
-    }
+    const std::vector<VolumeRim> rims = buildRims(
+      this->TheCaster, this->Chain, this->Silhouette, caps != Caps::None, this->Volume);
     const bool lightIsOutside = this->lightIsOutside();
-    this->Volume.greatestDepth = greatestDepth(this->Silhouette, this->Chain.light,
-      this->TheCaster.centre(), lightIsOutside, this->Volume);
+    this->Volume.greatestDepth = greatestDepth(
+      rims, this->Chain.light, this->TheCaster.centre(), lightIsOutside, this->Volume);
     const std::size_t nearEnd = this->Volume.triangles.size();
     this->Volume.firstEnd = this->Volume.points.size();
     this->Extruded.assign(this->Volume.points.size(), None);
-    for (std::size_t loop = 0; loop < this->Silhouette.multiplicity.size(); ++loop)
+    for (const VolumeRim& rim : rims)
     {
-      const std::size_t points = this->Silhouette.first[loop + 1] - this->Silhouette.first[loop];
-      const bool asStrip =
-        this->Settings.wallStrips && points >= longLoop && !this->endsInOnePoint();
-      asStrip ? this->addWallStrip(loop) : this->addWalls(loop);
+      const bool asStrip = this->Settings.wallStrips && rim.points.size() >= longLoop &&
+        !this->endsInOnePoint();
+      asStrip ? this->addWallStrip(rim) : this->addWalls(rim);
     }
     if (caps != Caps::None && !this->endsInOnePoint())
     {
-      this->isInfinite() && lightIsOutside ? this->addFarFan() : this->projectNearCap(nearEnd);
+      this->isInfinite() && lightIsOutside ? this->addFarFan(rims) : this->projectNearCap(nearEnd);
     }
     return std::move(this->Volume);
   }
@@ -77,70 +73,12 @@ private:
     }
   }
 
-  /// A crossing off the mesh, and each point between nodes, gets a point of its own.
-  void placeSilhouettePoints()
-  {
-    const bool smooth = this->Chain.kind == SilhouetteKind::Smooth;
-    std::vector<Index> smoothCrossing(this->Chain.crossings.size(), None);
-    this->Placed.resize(this->Silhouette.points.size());
-    for (std::size_t i = 0; i < this->Silhouette.points.size(); ++i)
-    {
-      const Index node = this->Silhouette.nodes[i];
-      const bool onMesh = node != None && (node < this->VertexCount || !smooth);
-      Index* known = node != None && !onMesh ? &smoothCrossing[node - this->VertexCount] : nullptr;
-      if (onMesh)
-      {
-        this->Placed[i] = node;
-      }
-      else if (known && *known != None)
-      {
-        this->Placed[i] = *known;
-      }
-      else
-      {
-        this->Placed[i] = static_cast<Index>(this->Volume.points.size());
-        this->Volume.points.emplace_back(this->Silhouette.points[i], 1.0);
-        if (known)
-        {
-          *known = this->Placed[i];
-        }
-      }
-    }
-  }
-
-  Index placed(std::size_t place) const
-  {
-    return this->Placed[this->Silhouette.loopPoints[place]];
-  }
-
-  Index nodeAt(std::size_t place) const
-  {
-    return this->Silhouette.nodes[this->Silhouette.loopPoints[place]];
-  }
-
   void add(Index p, Index q, Index r, VolumePart part, int multiplicity)
   {
     if (p != q && q != r && r != p)
     {
       this->Volume.triangles.push_back({ { p, q, r }, part, multiplicity });
     }
-  }
-
-  /// Two fans, from the mesh's points of the stretch's ends, which meet at its middle point: no
-  /// T-junctions with the neighbours.
-  void addGap(const Stretch& s, int multiplicity)
-  {
-    const Index meshFrom = this->nodeAt(s.begin);
-    const Index meshTo = this->nodeAt(s.end);
-    const std::size_t segments = s.innerEnd - s.begin;
-    const auto at = [&](std::size_t i)
-    { return i < segments ? this->placed(s.begin + i) : this->placed(s.end); };
-    const std::size_t middle = (segments + 1) / 2;
-    for (std::size_t i = 0; i < segments; ++i)
-    {
-      this->add(i < middle ? meshFrom : meshTo, at(i), at(i + 1), VolumePart::Gap, multiplicity);
-    }
-    this->add(meshFrom, at(middle), meshTo, VolumePart::Gap, multiplicity);
   }
 
   bool isInfinite() const { return this->Settings.end.extent == Extent::Infinite; }
@@ -175,40 +113,37 @@ private:
     return this->Extruded[point];
   }
 
-  void addWalls(std::size_t loop)
+  /// Calls visit(p, q) for the points of each segment of a rim.
+  template <class Visit>
+  static void forEachSegment(const VolumeRim& rim, const Visit& visit)
   {
-    const std::size_t begin = this->Silhouette.first[loop];
-    const std::size_t end = this->Silhouette.first[loop + 1];
-    const int multiplicity = this->Silhouette.multiplicity[loop];
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = 0; i < rim.points.size(); ++i)
     {
-      const Index p = this->placed(i);
-      const Index q = this->placed(i + 1 < end ? i + 1 : begin);
-      if (p == q)
-      {
-        continue;
-      }
-      const Index farP = this->extruded(p);
-      const Index farQ = this->extruded(q);
-      this->add(q, p, farP, VolumePart::Wall, multiplicity);
-      this->add(q, farP, farQ, VolumePart::Wall, multiplicity);
+      visit(rim.points[i], rim.points[i + 1 < rim.points.size() ? i + 1 : 0]);
     }
   }
 
-  void addWallStrip(std::size_t loop)
+  void addWalls(const VolumeRim& rim)
   {
-    WallStrip strip{ {}, this->Silhouette.multiplicity[loop] };
-    const std::size_t begin = this->Silhouette.first[loop];
-    const std::size_t end = this->Silhouette.first[loop + 1];
-    strip.points.reserve(2 * (end - begin + 1));
-    for (std::size_t i = begin; i <= end; ++i)
-    {
-      const Index p = this->placed(i < end ? i : begin);
-      if (strip.points.empty() || p != strip.points[strip.points.size() - 2])
+    forEachSegment(rim,
+      [&](Index p, Index q)
       {
-        strip.points.push_back(p);
-        strip.points.push_back(this->extruded(p));
-      }
+        const Index farP = this->extruded(p);
+        const Index farQ = this->extruded(q);
+        this->add(q, p, farP, VolumePart::Wall, rim.multiplicity);
+        this->add(q, farP, farQ, VolumePart::Wall, rim.multiplicity);
+      });
+  }
+
+  void addWallStrip(const VolumeRim& rim)
+  {
+    WallStrip strip{ {}, rim.multiplicity };
+    strip.points.reserve(2 * (rim.points.size() + 1));
+    for (std::size_t i = 0; i <= rim.points.size(); ++i)
+    {
+      const Index p = rim.points[i < rim.points.size() ? i : 0];
+      strip.points.push_back(p);
+      strip.points.push_back(this->extruded(p));
     }
     this->Volume.strips.push_back(std::move(strip));
   }
@@ -226,24 +161,18 @@ private:
     return glm::length(this->Chain.light.toward(centre)) > 1.001 * this->Chain.light.w * radius;
   }
 
-  void addFarFan()
+  void addFarFan(const std::vector<VolumeRim>& rims)
   {
     const Index apex =
       this->addEnd(this->Chain.light.extrude(this->TheCaster.centre()), None);
-    for (std::size_t loop = 0; loop < this->Silhouette.multiplicity.size(); ++loop)
+    for (const VolumeRim& rim : rims)
     {
-      const std::size_t begin = this->Silhouette.first[loop];
-      const std::size_t end = this->Silhouette.first[loop + 1];
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const Index p = this->placed(i);
-        const Index q = this->placed(i + 1 < end ? i + 1 : begin);
-        if (p != q)
+      forEachSegment(rim,
+        [&](Index p, Index q)
         {
           this->add(apex, this->extruded(q), this->extruded(p), VolumePart::FarCap,
-            this->Silhouette.multiplicity[loop]);
-        }
-      }
+            rim.multiplicity);
+        });
     }
   }
 
@@ -263,7 +192,6 @@ private:
   const VolumeSettings& Settings;
   const std::size_t VertexCount;
   ShadowVolume Volume;
-  std::vector<Index> Placed;   ///< the volume's point for each point of the silhouette
   std::vector<Index> Extruded; ///< where the shadow of each point ends
   Index Apex = None;
 };

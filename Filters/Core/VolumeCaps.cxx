@@ -4,6 +4,34 @@ namespace shadow
 {
 namespace
 {
+bool isLitAt(const TriangleMesh& mesh, const SilhouetteChain& chain, Index t, unsigned corner)
+{
+  return chain.field.lit(
+    chain.field.kind() == FieldKind::Face ? t : mesh.cornerNormals[t][corner]);
+}
+
+void appendCrossings(const Caster& caster, const SilhouetteChain& chain, Index t, unsigned k,
+  bool lit, std::vector<Index>& polygon)
+{
+  const TriangleMesh& mesh = caster.mesh();
+  const EdgeTable& edges = caster.edges();
+  const Index e = edges.triangleEdges[t][k];
+  const Side side = 3 * t + k;
+  const auto [first, end] = chain.crossingsOn(e);
+  const Index own = chain.crossingOf(caster, e, sideNormals(mesh, edges, e, side));
+  const bool forward = sideSign(mesh, edges, e, side) > 0;
+  bool inside = isLitAt(mesh, chain, t, k) == lit;
+  for (Index i = first; i < end; ++i)
+  {
+    const Index c = forward ? i : first + (end - 1 - i);
+    if (inside || c == own)
+    {
+      polygon.push_back(static_cast<Index>(mesh.points.size()) + c);
+    }
+    inside = inside != (c == own);
+  }
+}
+
 class CapBuilder
 {
 public:
@@ -31,26 +59,22 @@ public:
       const ChainWeight weight = weights.cap(kind, t, onDarkField[weights.part(t)]);
       if (!crossed[t])
       {
-        this->addTriangle(this->Mesh.triangles[t], weight.of(this->litAt(t, 0)));
+        this->addTriangle(
+          this->Mesh.triangles[t], weight.of(isLitAt(this->Mesh, this->Chain, t, 0)));
         continue;
       }
       for (const bool lit : { true, false })
       {
         if (weight.of(lit) != 0)
         {
-          this->addPolygon(this->polygonOf(t, lit), weight.of(lit));
+          this->addPolygon(
+            partOfTriangle(this->TheCaster, this->Chain, t, lit), weight.of(lit));
         }
       }
     }
   }
 
 private:
-  bool litAt(Index t, unsigned corner) const
-  {
-    return this->Chain.field.lit(
-      this->Chain.field.kind() == FieldKind::Face ? t : this->Mesh.cornerNormals[t][corner]);
-  }
-
   std::vector<bool> trianglesAtCrossedEdges() const
   {
     std::vector<bool> crossed(this->Mesh.triangles.size(), false);
@@ -63,42 +87,6 @@ private:
       }
     }
     return crossed;
-  }
-
-  /// The lit or the dark part of a triangle, counter-clockwise, with every crossing on its edges,
-  /// those of the other sides too, so that neighbours share all points.
-  std::vector<Index> polygonOf(Index t, bool lit) const
-  {
-    std::vector<Index> polygon;
-    for (unsigned k = 0; k < 3; ++k)
-    {
-      if (this->litAt(t, k) == lit)
-      {
-        polygon.push_back(this->Mesh.triangles[t][k]);
-      }
-      this->appendCrossings(t, k, lit, polygon);
-    }
-    return polygon;
-  }
-
-  void appendCrossings(Index t, unsigned k, bool lit, std::vector<Index>& polygon) const
-  {
-    const Index e = this->Edges.triangleEdges[t][k];
-    const Side side = 3 * t + k;
-    const auto [first, end] = this->Chain.crossingsOn(e);
-    const Index own =
-      this->Chain.crossingOf(this->TheCaster, e, sideNormals(this->Mesh, this->Edges, e, side));
-    const bool forward = sideSign(this->Mesh, this->Edges, e, side) > 0;
-    bool inside = this->litAt(t, k) == lit;
-    for (Index i = first; i < end; ++i)
-    {
-      const Index c = forward ? i : first + (end - 1 - i);
-      if (inside || c == own)
-      {
-        polygon.push_back(static_cast<Index>(this->Mesh.points.size()) + c);
-      }
-      inside = inside != (c == own);
-    }
   }
 
   void addPolygon(const std::vector<Index>& polygon, int weight)
@@ -127,6 +115,21 @@ private:
   const CapSide Which;
   std::vector<VolumeTriangle>& Triangles;
 };
+}
+
+std::vector<Index> partOfTriangle(
+  const Caster& caster, const SilhouetteChain& chain, Index triangle, bool lit)
+{
+  std::vector<Index> polygon;
+  for (unsigned k = 0; k < 3; ++k)
+  {
+    if (isLitAt(caster.mesh(), chain, triangle, k) == lit)
+    {
+      polygon.push_back(caster.mesh().triangles[triangle][k]);
+    }
+    appendCrossings(caster, chain, triangle, k, lit, polygon);
+  }
+  return polygon;
 }
 
 void addCaps(const Caster& caster, const SilhouetteChain& chain, CapSide side,

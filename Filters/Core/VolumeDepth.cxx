@@ -168,28 +168,23 @@ int depthOfCap(const ShadowVolume& volume, const Light& light, const Vec3& direc
 }
 }
 
-int greatestDepth(const SilhouetteInput& silhouette, const Light& light, const Vec3& centre,
+int greatestDepth(const std::vector<VolumeRim>& rims, const Light& light, const Vec3& centre,
   bool lightIsOutside, const ShadowVolume& volume)
 {
   const MeridianFrame frame(light, centre);
-  std::vector<double> turns(silhouette.points.size());
-  for (std::size_t i = 0; i < turns.size(); ++i)
-  {
-    const Vec3 from = silhouette.points[i] - centre;
-    turns[i] = turn(glm::dot(from, frame.x), glm::dot(from, frame.y));
-  }
   MeridianCounts counts;
-  std::vector<double> loopTurns;
-  for (std::size_t loop = 0; loop < silhouette.multiplicity.size(); ++loop)
+  std::vector<double> turns;
+  for (const VolumeRim& rim : rims)
   {
-    loopTurns.clear();
-    for (std::size_t i = silhouette.first[loop]; i < silhouette.first[loop + 1]; ++i)
+    turns.clear();
+    for (const Index point : rim.points)
     {
-      loopTurns.push_back(turns[silhouette.loopPoints[i]]);
+      const Vec3 from = Vec3(volume.points[point]) - centre;
+      turns.push_back(turn(glm::dot(from, frame.x), glm::dot(from, frame.y)));
     }
-    if (!loopTurns.empty())
+    if (!turns.empty())
     {
-      counts.addLoop(loopTurns, silhouette.multiplicity[loop]);
+      counts.addLoop(turns, rim.multiplicity);
     }
   }
   const int atPole = lightIsOutside ? 0 : depthOfCap(volume, light, frame.axis);

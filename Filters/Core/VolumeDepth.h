@@ -1,7 +1,7 @@
 /// How often a shadow volume winds around a point at most.
 #pragma once
 
-#include "ShadowVolume.h"
+#include "VolumeRims.h"
 
 namespace shadow
 {
@@ -9,11 +9,11 @@ namespace shadow
 /// that of no point where all of the cap faces the light. (Where a corner field calls lit what faces
 /// away, layers of the cap count -1 and points in front of them may lie in as many more.)
 ///
-/// Seen from the light, the winding changes at the silhouette only. It is known in one direction,
+/// Seen from the light, the winding changes at the rims only. It is known in one direction,
 /// the pole: 0 away from a caster that the light is outside of, else the count of the near cap's
 /// triangles there. From the pole to any direction one comes along a meridian, on which it changes
 /// at most by what runs across the meridian in one sense. Meridians are taken by sectors. Linear in
-/// the silhouette; with the light inside also in the near cap.
-int greatestDepth(const SilhouetteInput& silhouette, const Light& light, const Vec3& centre,
+/// the rims; with the light inside also in the near cap.
+int greatestDepth(const std::vector<VolumeRim>& rims, const Light& light, const Vec3& centre,
   bool lightIsOutside, const ShadowVolume& volume);
 }

@@ -66,6 +66,11 @@ constexpr double PolygonOrder = 0.35;
 constexpr double SmoothFinest = 1e-7;
 constexpr double EstimatedFinest = 1e-6;
 
+/// Percent of the pixels in which a coarse torus shadows itself (light at a cosine of 0.03 and more)
+/// that may be lit: twice what its discrete shadow, that of the triangles, leaves. With contours
+/// lifted off the mesh everywhere it is some 20 to 50.
+constexpr double LeakPercent = 1.0;
+
 /// Pixels: how far from the true shadow's edge a rasterised mask may differ from the oracle.
 constexpr int MaskPixels = 1;
 
