@@ -114,8 +114,7 @@ bool canHave(int part, int kind, const LightPosition& light)
     (part == vtkShadowVolumeExtruder::FAR_CAP && light[3] != 0.0);
 }
 
-void expectVolume(
-  vtkPolyData* volume, int kind, const LightPosition& light, ChainTotals& totals)
+void expectVolume(vtkPolyData* volume, int kind, const LightPosition& light, ChainTotals& totals)
 {
   EXPECT_EQ(openEdges(volume), 0);
   EXPECT_EQ(fieldValue(volume, "Closed"), 1.0);
@@ -206,8 +205,9 @@ ChainTotals expectClosedChains(vtkPolyData* mesh, const LightPosition& light)
 PointTotals expectExactWinding(
   vtkPolyData* mesh, const LightPosition& light, const CastingParts& parts, int samples)
 {
-  const auto blockersOf = [&](vtkPolyData* part, const Vec3& point)
-  { return part ? blockersTowards(part, point.data(), light.data()) : Blockers(); };
+  const auto blockersOf = [&](vtkPolyData* part, const Vec3& point) {
+    return part ? blockersTowards(part, point.data(), light.data()) : Blockers();
+  };
   std::vector<Mesh> all;
   for (const Mesh& part : { parts.Closed, parts.Others })
   {

@@ -53,8 +53,8 @@ struct PointTotals
 /// once for each triangle of an open part between point and light, once for each triangle of a
 /// closed part that faces the light (lit caps) or faces away (dark ones). Outside of closed parts,
 /// seen from outside, both are half of all, and so not 0 exactly if there is any.
-PointTotals expectExactWinding(vtkPolyData* mesh, const LightPosition& light,
-  const CastingParts& parts, int samples = 300);
+PointTotals expectExactWinding(
+  vtkPolyData* mesh, const LightPosition& light, const CastingParts& parts, int samples = 300);
 }
 
 #endif

@@ -140,8 +140,7 @@ MeshBuilder opening(vtkPolyData* mesh)
 Mesh finiteCells(vtkPolyData* mesh)
 {
   const MeshBuilder builder = opening(mesh);
-  const auto isFinite = [&](vtkIdType id)
-  {
+  const auto isFinite = [&](vtkIdType id) {
     const Vec3& p = builder.Points[static_cast<std::size_t>(id)];
     return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
   };
@@ -255,8 +254,9 @@ Mesh closedTube(int along, int across, const Shape& shape)
   return mesh.build();
 }
 
-void expectSameSilhouettes(vtkPolyData* expected, vtkPolyData* actual, double tolerance)
+void expectSameSilhouettes(vtkPolyData* expected, vtkPolyData* actual)
 {
+  const double tolerance = tolerance::SamePoint * expected->GetLength();
   for (const LightPosition& light : Lights)
   {
     for (const int kind : AllKinds)
@@ -309,8 +309,7 @@ TEST(HardMeshes, OneTriangle)
       ShadowPipeline pipeline(mesh, Lights[0], kind);
       EXPECT_EQ(pipeline.silhouette()->GetNumberOfLines(), 1);
       EXPECT_EQ(checkLoops(pipeline.silhouette()).Segments, 3);
-      EXPECT_EQ(
-        pipeline.silhouette()->GetCellData()->GetArray("Kind")->GetComponent(0, 0), 2.0);
+      EXPECT_EQ(pipeline.silhouette()->GetCellData()->GetArray("Kind")->GetComponent(0, 0), 2.0);
     }
   }
   // Seen edge-on it casts nothing.
@@ -401,8 +400,7 @@ TEST(HardMeshes, DuplicatePoints)
   expectMasks({ { apart } });
 
   // Without normals it is the same mesh, too.
-  expectSameSilhouettes(
-    withoutNormals(ball), withoutNormals(apart), tolerance::SamePoint * ball->GetLength());
+  expectSameSilhouettes(withoutNormals(ball), withoutNormals(apart));
 
   // Taken apart each triangle casts on its own.
   ShadowPipeline pipeline(apart, Lights[0], vtkSmoothLightSilhouette::DISCRETE);
@@ -416,8 +414,7 @@ TEST(HardMeshes, DuplicatePoints)
   {
     const Vec3 point = samplePoint(apart, sample);
     const Blockers blockers = blockersTowards(apart, point.data(), Lights[0].data());
-    EXPECT_NEAR(windingNumber(pipeline.volume(), point.data()), blockers.Count,
-      tolerance::Winding);
+    EXPECT_NEAR(windingNumber(pipeline.volume(), point.data()), blockers.Count, tolerance::Winding);
     inShadow += blockers.Count > 0;
   }
   EXPECT_GT(inShadow, 5);
@@ -432,8 +429,7 @@ TEST(HardMeshes, DuplicateCells)
   Found found = expectExactShadow(twice, { twice, nullptr });
   EXPECT_EQ(found.GreatestMultiplicity, 2);
   EXPECT_EQ(found.Deepest, 2);
-  expectDefects(
-    twice, { 0.0, 0.0, 0.0, static_cast<double>(facesAtEdges(ball).size()), 0.0 });
+  expectDefects(twice, { 0.0, 0.0, 0.0, static_cast<double>(facesAtEdges(ball).size()), 0.0 });
   expectMasks({ { twice } });
 
   // Some of them: no longer closed.
@@ -478,7 +474,7 @@ TEST(HardMeshes, ZeroNormals)
       expectMasks({ { mesh } });
     }
     // As if there were none at all: every corner's normal is estimated.
-    expectSameSilhouettes(withoutNormals(ball), none, tolerance::SamePoint * ball->GetLength());
+    expectSameSilhouettes(withoutNormals(ball), none);
   }
 }
 
@@ -492,7 +488,7 @@ TEST(HardMeshes, NaNAndInfinitePoints)
   ASSERT_GT(kept->GetNumberOfPolys(), 50);
   expectExactShadow(spoilt, { nullptr, kept });
   expectDefects(spoilt, { 0.0, lost, countEdges(kept, 1), 0.0, 0.0 });
-  expectSameSilhouettes(withoutNormals(kept), withoutNormals(spoilt), 0.0);
+  expectSameSilhouettes(withoutNormals(kept), withoutNormals(spoilt));
   expectMasks({ { spoilt, kept, true } });
 
   expectNothingCast(withBadPoints(triangle(), 1, 2));
@@ -655,21 +651,19 @@ TEST(HardMeshes, MoebiusStrip)
 TEST(HardMeshes, SelfIntersecting)
 {
   // Two bodies through one another.
-  const Mesh pair = overTheGround(
-    merged({ sphere(8, 14), moved(box(0.7, 0.6, 0.5), 1.0, { 0.7, 0.2, 0.3 }, 3) }));
+  const Mesh pair =
+    overTheGround(merged({ sphere(8, 14), moved(box(0.7, 0.6, 0.5), 1.0, { 0.7, 0.2, 0.3 }, 3) }));
   Found found = expectExactShadow(pair, { pair, nullptr });
   EXPECT_EQ(found.Deepest, 2);
   expectDefects(pair, {});
   expectMasks({ { pair } });
 
   // A tube along an eight that lies on its side: where it crosses itself it is twice around.
-  const Mesh crossing = overTheGround(closedTube(32, 8,
-    [](double u, double v) -> Vec3
-    {
-      const Vec3 across = normalized({ std::cos(2.0 * u), std::sin(u), 0.0 });
-      return Vec3{ std::cos(u), 0.5 * std::sin(2.0 * u), 0.0 } + 0.25 * std::cos(v) * across +
-        Vec3{ 0.0, 0.0, 0.25 * std::sin(v) };
-    }));
+  const Mesh crossing = overTheGround(closedTube(32, 8, [](double u, double v) -> Vec3 {
+    const Vec3 across = normalized({ std::cos(2.0 * u), std::sin(u), 0.0 });
+    return Vec3{ std::cos(u), 0.5 * std::sin(2.0 * u), 0.0 } + 0.25 * std::cos(v) * across +
+      Vec3{ 0.0, 0.0, 0.25 * std::sin(v) };
+  }));
   const double middle[3] = { 0.0, 0.0, 1.2 };
   EXPECT_NEAR(windingNumber(crossing, middle), 2.0, tolerance::Winding);
   EXPECT_GE(expectExactShadow(crossing, { crossing, nullptr }).Deepest, 2);
@@ -677,23 +671,19 @@ TEST(HardMeshes, SelfIntersecting)
   expectMasks({ { crossing } });
 
   // A torus whose tube reaches through the axis: what it does so twice is inside of nothing.
-  const Mesh spindle = overTheGround(closedTube(24, 12,
-    [](double u, double v) -> Vec3
-    {
-      const double radius = 0.7 + std::cos(v);
-      return { radius * std::cos(u), radius * std::sin(u), std::sin(v) };
-    }));
+  const Mesh spindle = overTheGround(closedTube(24, 12, [](double u, double v) -> Vec3 {
+    const double radius = 0.7 + std::cos(v);
+    return { radius * std::cos(u), radius * std::sin(u), std::sin(v) };
+  }));
   EXPECT_NEAR(windingNumber(spindle, middle), 0.0, tolerance::Winding);
   EXPECT_GE(expectExactShadow(spindle, { spindle, nullptr }).Deepest, 2);
   expectMasks({ { spindle } });
 
   // An eight turned about an axis: one half of it is inside out.
-  const Mesh eight = overTheGround(closedTube(16, 18,
-    [](double u, double v) -> Vec3
-    {
-      const double radius = 1.0 + 0.5 * std::sin(v);
-      return { radius * std::cos(u), radius * std::sin(u), -0.4 * std::sin(2.0 * v) };
-    }));
+  const Mesh eight = overTheGround(closedTube(16, 18, [](double u, double v) -> Vec3 {
+    const double radius = 1.0 + 0.5 * std::sin(v);
+    return { radius * std::cos(u), radius * std::sin(u), -0.4 * std::sin(2.0 * v) };
+  }));
   const double outer[3] = { 0.6 * 1.4, 0.0, 1.2 };
   const double inner[3] = { 0.6 * 0.6, 0.0, 1.2 };
   EXPECT_NEAR(windingNumber(eight, outer), 1.0, tolerance::Winding);
@@ -777,8 +767,7 @@ TEST(HardMeshes, StripsAndPolygons)
   quads->SetVerts(vertices);
   expectExactShadow(quads, { overTheGround(weldedBox()), nullptr });
   expectDefects(quads, {});
-  expectSameSilhouettes(
-    overTheGround(quadBox()), quads, tolerance::SamePoint * quads->GetLength());
+  expectSameSilhouettes(overTheGround(quadBox()), quads);
 }
 
 TEST(HardMeshes, UnusedPoints)
@@ -797,7 +786,7 @@ TEST(HardMeshes, UnusedPoints)
     EXPECT_EQ(found.GreatestMultiplicity, 1);
     expectDefects(mesh, {});
     // The tolerance of subdivision is relative to what is used.
-    expectSameSilhouettes(ball, mesh, 0.0);
+    expectSameSilhouettes(ball, mesh);
     ShadowPipeline with(mesh, Lights[0], vtkSmoothLightSilhouette::SMOOTH);
     ShadowPipeline without(ball, Lights[0], vtkSmoothLightSilhouette::SMOOTH);
     EXPECT_EQ(with.silhouette()->GetNumberOfPoints(), without.silhouette()->GetNumberOfPoints());
@@ -820,8 +809,7 @@ TEST(HardMeshes, OpenPartBesideClosedOne)
   // Cap triangles of the ball: all turned away from the light, and all of these.
   for (const LightPosition& light : Lights)
   {
-    const auto facing = [&](const Vec3& a, const Vec3& b, const Vec3& c)
-    {
+    const auto facing = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
       const Vec3 towards{ light[0] - light[3] * a[0], light[1] - light[3] * a[1],
         light[2] - light[3] * a[2] };
       return dot(cross(b - a, c - a), towards) >= 0.0;
