@@ -393,7 +393,7 @@ RaySample RayScene::look(const RayView& view, double x, double y, const RayLight
   {
     sample.Light = Visibility::Lit;
   }
-  else if (frontIsSeen != frontIsLit)
+  else if (frontIsSeen != frontIsLit || sample.Cosine == 0.0)
   {
     sample.Light = Visibility::TurnedAway;
   }

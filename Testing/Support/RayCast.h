@@ -52,7 +52,8 @@ enum class Visibility : unsigned char
   Background, ///< nothing is hit
   Lit,
   Shadow,    ///< the side that is seen faces the light, something stands between
-  TurnedAway ///< the side that is seen faces away from the light: dark whatever the mask says
+  TurnedAway ///< the side that is seen faces away from the light, or is exactly edge-on to it:
+             ///< dark whatever the mask says
 };
 
 struct RaySample

@@ -18,6 +18,12 @@ constexpr double UnitNormal = 1e-12;
 /// scene that was moved and moved back by less than its size.
 constexpr double SamePoint = 1e-12;
 
+/// The same in a scene that was moved by some of its sizes: its coordinates were rounded anew.
+constexpr double Moved = 1e-11;
+
+/// The same at 1e7 sizes from the origin: four roundings of a coordinate there.
+constexpr double FarPlace = 4.0 * 1e7 * 0x1p-52;
+
 /// A winding number against the nearest integer, away from the surface: sums of some 1e5 solid
 /// angles in double.
 constexpr double Winding = 1e-6;
@@ -28,6 +34,15 @@ constexpr double Volume = 1e-10;
 /// A point counts as too close to a surface (or a ray to a triangle's edge) for a decision in
 /// double to be compared with another one.
 constexpr double TooClose = 1e-9;
+
+/// How far a light on a vertex is lifted off the surface, at most: points nearer to the plane of a
+/// face there may be in shadow or not.
+constexpr double LightLift = 1e-5;
+
+/// How far from 1 the order may be at which the contour of a point light nears that of its
+/// direction, from a thousand sizes on. There the smooth contour is off by 1e-4 of the size, of
+/// which its subdivision of 1e-6 may be a hundredth, and over four decades that makes 3e-3.
+constexpr double FarLightOrder = 5e-3;
 
 /// Residual at which the Newton iterations of the analytic shadows have converged.
 constexpr double Newton = 1e-13;
