@@ -40,7 +40,8 @@ void Run(const Arguments& arguments)
     const double milliseconds = Milliseconds([&] { check->Update(); });
     if (!FirstError().empty())
     {
-      throw Failure("it cannot be checked (" + FirstError() + ")", mesh.File, "give a smaller mesh");
+      throw Failure(
+        "it cannot be checked (" + FirstError() + ")", mesh.File, "give a smaller mesh");
     }
     report = DescribeCheck(mesh, check->GetOutput());
     report.Statistics["intersectionsChecked"] = !arguments.NoIntersections;

@@ -9,8 +9,8 @@ namespace shadow
 namespace
 {
 /// Which side of the plane of a, b, c the point d is on: 1 if these turn counter-clockwise as seen
-/// from it, -1 on the other side, 0 if rounding could have made up the answer. It is exactly 0 where
-/// d is one of the others.
+/// from it, -1 on the other side, 0 if rounding could have made up the answer. It is exactly 0
+/// where d is one of the others.
 int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
   const Vec3 u = a - d;

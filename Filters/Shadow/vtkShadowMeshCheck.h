@@ -2,15 +2,17 @@
  * @class   vtkShadowMeshCheck
  * @brief   what is wrong with a mesh, and what each defect means for its shadow
  *
- * Takes the mesh that vtkSmoothLightSilhouette and vtkShadowVolumeExtruder are to take, and looks at
- * it as these do. Any mesh casts; the table says how well.
+ * Takes the mesh that vtkSmoothLightSilhouette and vtkShadowVolumeExtruder are to take, and looks
+ * at it as these do. Any mesh casts; the table says how well.
  *
- * Output: a table with a row for each kind of defect that occurs, those of the gravest meaning first.
+ * Output: a table with a row for each kind of defect that occurs, those of the gravest meaning
+ * first.
  * - `Defect`: the kind, see below. `Count`: how often it occurs, at least 1.
  * - `Meaning`: "exact" where the discrete shadow is exactly that of the triangles, as without the
  *   defect; "well defined" where it is fixed, but not what an ideal surface would give; "warned"
  *   where something is missing or likely to be wrong.
- * - `Shadow`: one sentence on what it means for the shadow. `Remedy`: one on what to do; may be empty.
+ * - `Shadow`: one sentence on what it means for the shadow. `Remedy`: one on what to do; may be
+ *   empty.
  * - `X`, `Y`, `Z`: one place of them, the least by x, then y, then z; NaN for what has none. Edges
  *   and triangles are placed by their middles, cells by a corner.
  * - FieldData `Triangles`, `Points` (of these, welded), `Parts` (connected through edges),
@@ -28,8 +30,8 @@
  *   of the mesh's diagonal, or 4 steps of the coordinates' type where these are larger, and no more
  *   than a tenth of the edges there;
  * - "estimated normals", where the mesh has none, and "averaged normals", those of them that are
- *   means (see vtkSmoothLightSilhouette::SetFeatureAngle), both without a place; "unusable normals":
- *   given ones that are zero or not finite; "contrary normals": triangles of closed parts whose
+ *   means (see vtkSmoothLightSilhouette::SetFeatureAngle), both without a place; "unusable
+ *   normals": given ones that are zero or not finite; "contrary normals": triangles of closed parts whose
  *   normals are to the other side than their part's.
  *
  * Exact:
@@ -37,8 +39,8 @@
  *   points": equal to another one in place and normal; "unused points";
  * - "border edges", with one triangle; "non-manifold edges", with more than two; "inconsistent
  *   edges", whose two triangles are wound in opposite ways;
- * - "duplicate triangles", but for the first of each; "zero-area triangles", as far as rounding lets
- *   tell; "slivers", at least 1000 times as long as high;
+ * - "duplicate triangles", but for the first of each; "zero-area triangles", as far as rounding
+ *   lets tell; "slivers", at least 1000 times as long as high;
  * - "inside-out parts", closed and wound inwards; "turned normals": triangles whose normals are
  *   against their winding and are taken the other way around;
  * - "pierced triangles", that cross another one along a segment (with CheckIntersections). Those
@@ -69,7 +71,8 @@ public:
   ///@{
   /**
    * As in vtkSmoothLightSilhouette: whether points with equal coordinates are one vertex, and where
-   * the mesh has no normals the angle (degrees, 0 to 180) at which edges split them. Default on, 60.
+   * the mesh has no normals the angle (degrees, 0 to 180) at which edges split them. Default on,
+   * 60.
    */
   vtkSetMacro(MergePoints, bool);
   vtkGetMacro(MergePoints, bool);

@@ -4,6 +4,7 @@
 #include "ChainChecks.h"
 #include "HostileMeshes.h"
 #include "Random.h"
+#include "RandomMeshes.h"
 #include "RealMeshes.h"
 #include "ShadowPipeline.h"
 #include "TestMeshes.h"
@@ -521,7 +522,7 @@ TEST(ShadowMeshCheck, PiercingPartsCastExactlyOutside)
       }
       else
       {
-        litInside += !isDark;
+        litInside += around > 0.5 && !isDark;
       }
     }
   }
@@ -555,6 +556,38 @@ TEST(ShadowMeshCheck, TurnedNormalsCastTheSameShadow)
     }
   }
   EXPECT_GT(inShadow, 30);
+}
+
+// What the silhouette says of any mesh, the table says too.
+TEST(ShadowMeshCheck, AgreesWithTheSilhouettesDiagnosis)
+{
+  const std::map<std::string, const char*> fields{ { "border edges", "BoundaryEdges" },
+    { "non-manifold edges", "NonManifoldEdges" }, { "inconsistent edges", "InconsistentEdges" },
+    { "degenerate cells", "DegenerateCells" }, { "non-finite cells", "NonFiniteCells" },
+    { "estimated normals", "EstimatedNormals" }, { "averaged normals", "FallbackNormals" } };
+  std::map<std::string, vtkIdType> totals;
+  for (std::uint64_t seed = 1; seed <= 300 && !HasFailure(); ++seed)
+  {
+    shadowtest::RandomMesh scene = shadowtest::randomMesh(seed);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", " + scene.Kind);
+    if (seed % 7 == 0 && scene.Surface->GetNumberOfPoints() > 0)
+    {
+      scene.Surface = shadowtest::withBadPoints(scene.Surface, 1, seed);
+    }
+    const Report report = reportOf(scene.Surface);
+    shadowtest::ShadowPipeline pipeline(
+      scene.Surface, scene.Light, vtkSmoothLightSilhouette::DISCRETE);
+    for (const auto& [defect, field] : fields)
+    {
+      EXPECT_EQ(report.count(defect), shadowtest::fieldValue(pipeline.silhouette(), field));
+      totals[defect] += report.count(defect);
+    }
+  }
+  EXPECT_EQ(totals.size(), fields.size());
+  for (const auto& [defect, total] : totals)
+  {
+    EXPECT_GT(total, 50) << defect;
+  }
 }
 
 TEST(ShadowMeshCheck, AnAngleThatIsNoNumberIsAnError)

@@ -65,7 +65,8 @@ void addCellDefects(const CheckedMesh& checked, Defects& list)
   list.push_back({ "no triangles", counted(checked.prepared.caster.mesh().triangles.empty()),
     Meaning::Warned, "The mesh casts nothing.", "" });
   list.push_back({ "non-finite cells", read.nonFiniteCells, Meaning::Warned,
-    "Cells with a point that is not finite or does not exist are left out: their shadow is missing.",
+    "Cells with a point that is not finite or does not exist are left out: their shadow is "
+    "missing.",
     "Repair their points, or remove the cells if they are not meant." });
   list.push_back({ "lines and vertices", checked.input.linesAndVertices, Meaning::WellDefined,
     "Cells that are lines or vertices cast nothing.",
@@ -152,7 +153,8 @@ void addTriangleDefects(const CheckedMesh& checked, Defects& list)
   const shadow::MeshDefects& mesh = checked.mesh;
   list.push_back({ "duplicate triangles", mesh.duplicateTriangles, Meaning::Exact,
     "A triangle given again casts the same shadow once more, which changes nothing.",
-    "Remove them (vtkRemoveDuplicatePolys): they cost time, and can keep a part from being closed." });
+    "Remove them (vtkRemoveDuplicatePolys): they cost time, and can keep a part from being "
+    "closed." });
   list.push_back({ "zero-area triangles", mesh.flatTriangles, Meaning::Exact,
     "They cast nothing themselves; they keep closed what they close.", "" });
   list.push_back({ "slivers", mesh.slivers, Meaning::Exact,

@@ -36,7 +36,8 @@ std::vector<shadow::Vec3> readVectors(vtkDataArray* array)
 class TriangleReader
 {
 public:
-  TriangleReader(vtkPolyData* input, const std::vector<shadow::Vec3>& points, ReadingDefects& defects)
+  TriangleReader(
+    vtkPolyData* input, const std::vector<shadow::Vec3>& points, ReadingDefects& defects)
     : Input(input)
     , Points(points)
     , Defects(defects)
