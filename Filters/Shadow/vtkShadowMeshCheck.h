@@ -31,8 +31,8 @@
  *   than a tenth of the edges there;
  * - "estimated normals", where the mesh has none, and "averaged normals", those of them that are
  *   means (see vtkSmoothLightSilhouette::SetFeatureAngle), both without a place; "unusable
- *   normals": given ones that are zero or not finite; "contrary normals": triangles of closed parts whose
- *   normals are to the other side than their part's.
+ *   normals": given ones that are zero or not finite; "contrary normals": triangles of closed parts
+ *   whose normals are to the other side than their part's.
  *
  * Exact:
  * - "degenerate cells": cells and triangles with less than three different corners; "repeated

@@ -84,7 +84,7 @@ TEST(PiercedTriangles, BothOfAPairCountAndThePlaceIsWhereTheyCross)
   const Occurrences found = findPiercedTriangles(mesh, serialLoop);
   EXPECT_EQ(found.count, 2u);
   // They have (0, 0, 0) to (0.5, 0, 0) in common.
-  EXPECT_NEAR(glm::length(found.place - Vec3(0.25, 0.0, 0.0)), 0.0, shadowtest::tolerance::SamePoint);
+  EXPECT_LT(glm::length(found.place - Vec3(0.25, 0.0, 0.0)), shadowtest::tolerance::SamePoint);
 }
 
 TEST(PiercedTriangles, TouchingIsNotPiercing)
@@ -139,7 +139,7 @@ TEST(PiercedTriangles, TiesDoNotHideThem)
     soup(points, { { 0, 1, 2 }, { 0, 2, 3 }, { 4, 5, 6 }, { 4, 6, 7 } });
   const Occurrences found = findPiercedTriangles(mesh, serialLoop);
   EXPECT_EQ(found.count, 4u);
-  EXPECT_NEAR(glm::length(found.place - Vec3(0.0, 0.0, 0.5)), 0.0, shadowtest::tolerance::SamePoint);
+  EXPECT_LT(glm::length(found.place - Vec3(0.0, 0.0, 0.5)), shadowtest::tolerance::SamePoint);
 }
 
 TEST(PiercedTriangles, AreThoseOfALookAtAllPairs)
