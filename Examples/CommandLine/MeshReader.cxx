@@ -190,9 +190,8 @@ void RequireValidIds(vtkCellArray* cells, vtkIdType numberOfPoints, const std::s
     }
   }
 }
-}
 
-Mesh ReadMesh(const std::string& file, Progress& progress)
+vtkSmartPointer<vtkPolyData> ReadPolygons(const std::string& file, Progress& progress)
 {
   progress.Show("reading " + file);
   RequireReadable(file);
@@ -215,12 +214,31 @@ Mesh ReadMesh(const std::string& file, Progress& progress)
   }
   RequireValidIds(read->GetPolys(), read->GetNumberOfPoints(), file);
   RequireValidIds(read->GetStrips(), read->GetNumberOfPoints(), file);
+  return read;
+}
 
-  // Lines and vertices cast no shadow, colours and texture coordinates play no part.
+// Colours and texture coordinates play no part.
+Mesh OnlySurface(const std::string& file, vtkPolyData* read)
+{
   Mesh mesh{ file, vtkSmartPointer<vtkPolyData>::New() };
   mesh.Data->SetPoints(read->GetPoints());
   mesh.Data->SetPolys(read->GetPolys());
   mesh.Data->SetStrips(read->GetStrips());
   mesh.Data->GetPointData()->SetNormals(read->GetPointData()->GetNormals());
+  return mesh;
+}
+}
+
+Mesh ReadMesh(const std::string& file, Progress& progress)
+{
+  return OnlySurface(file, ReadPolygons(file, progress));
+}
+
+Mesh ReadMeshWithLines(const std::string& file, Progress& progress)
+{
+  const vtkSmartPointer<vtkPolyData> read = ReadPolygons(file, progress);
+  Mesh mesh = OnlySurface(file, read);
+  mesh.Data->SetLines(read->GetLines());
+  mesh.Data->SetVerts(read->GetVerts());
   return mesh;
 }

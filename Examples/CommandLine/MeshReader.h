@@ -21,4 +21,7 @@ struct Mesh
 /// non-finite; each cell's points exist. Throws Failure.
 Mesh ReadMesh(const std::string& file, Progress& progress);
 
+/// The same with the file's lines and vertices, which cast no shadow.
+Mesh ReadMeshWithLines(const std::string& file, Progress& progress);
+
 #endif

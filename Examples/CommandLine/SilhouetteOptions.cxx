@@ -32,12 +32,17 @@ void AddSilhouetteOptions(CLI::App& command, SilhouetteOptions& options, bool no
   }
   command.add_option("--tolerance-mode", options.ToleranceMode, meanings + " [relative]")
     ->check(CLI::IsMember(modes));
+  AddFeatureAngleOption(command, options.FeatureAngle);
+}
+
+void AddFeatureAngleOption(CLI::App& command, double& angle)
+{
   command
     .add_option_function<std::string>(
       "--feature-angle",
-      [&options](const std::string& text) {
-        options.FeatureAngle = ParseNumber("--feature-angle", text);
-        if (options.FeatureAngle < 0.0 || options.FeatureAngle > 180.0)
+      [&angle](const std::string& text) {
+        angle = ParseNumber("--feature-angle", text);
+        if (angle < 0.0 || angle > 180.0)
         {
           throw UsageError("--feature-angle " + text + ": an angle from 0 to 180 is wanted");
         }

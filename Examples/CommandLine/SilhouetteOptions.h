@@ -26,6 +26,9 @@ struct SilhouetteOptions
 /// there) and --feature-angle.
 void AddSilhouetteOptions(CLI::App& command, SilhouetteOptions& options, bool noShadow);
 
+/// Adds --feature-angle, in degrees.
+void AddFeatureAngleOption(CLI::App& command, double& angle);
+
 /// Adds --light, to be given once.
 void AddLightOption(CLI::App& command, Homogeneous& light);
 

@@ -1,3 +1,4 @@
+#include "CheckCommand.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "RenderCommand.h"
@@ -105,10 +106,12 @@ int main(int argc, char* argv[])
              "Exit codes: 0 done, 1 bad input or failure, 2 wrong usage\n\n"
              "  smoothshadow render bunny.obj --ground -o bunny.png\n"
              "  smoothshadow silhouette bunny.obj --light 2,4,3 -o silhouette.vtp\n"
-             "  smoothshadow volume bunny.obj --light 0,1,0,0 -o volume.vtp --json");
+             "  smoothshadow volume bunny.obj --light 0,1,0,0 -o volume.vtp --json\n"
+             "  smoothshadow check bunny.obj");
   AddRenderCommand(app, command);
   AddSilhouetteCommand(app, command);
   AddVolumeCommand(app, command);
+  AddCheckCommand(app, command);
   const std::string unknown = UnknownCommand(app, argc, argv);
   if (!unknown.empty())
   {

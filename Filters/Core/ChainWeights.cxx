@@ -8,14 +8,6 @@ namespace shadow
 {
 namespace
 {
-/// Sum over a triangle's corners of normal times area normal: positive if they are on one side.
-double agreement(const TriangleMesh& mesh, Index triangle)
-{
-  const Triangle& n = mesh.cornerNormals[triangle];
-  return glm::dot(
-    mesh.areaNormal(triangle), mesh.normals[n[0]] + mesh.normals[n[1]] + mesh.normals[n[2]]);
-}
-
 /// Numbers the parts in order of their first triangle.
 std::vector<Index> connectedParts(const TriangleMesh& mesh, const EdgeTable& edges, Index& count)
 {
@@ -31,6 +23,13 @@ std::vector<Index> connectedParts(const TriangleMesh& mesh, const EdgeTable& edg
   }
   return sets.number(count);
 }
+}
+
+double normalAgreement(const TriangleMesh& mesh, Index triangle)
+{
+  const Triangle& n = mesh.cornerNormals[triangle];
+  return glm::dot(
+    mesh.areaNormal(triangle), mesh.normals[n[0]] + mesh.normals[n[1]] + mesh.normals[n[2]]);
 }
 
 std::vector<bool> ChainWeights::capsOnDarkField(FieldKind kind, CapSide side) const
@@ -69,7 +68,7 @@ ChainWeights findChainWeights(const TriangleMesh& mesh, const EdgeTable& edges)
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
     const Index t = static_cast<Index>(i);
-    const double agrees = agreement(mesh, t);
+    const double agrees = normalAgreement(mesh, t);
     volume[part[t]] += glm::dot(mesh.areaNormal(t), mesh.points[mesh.triangles[t][0]] - origin);
     agreements[part[t]] += agrees;
     agreeing[t] = !(agrees < 0.0);

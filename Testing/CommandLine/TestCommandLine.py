@@ -2,6 +2,7 @@
 
     SMOOTHSHADOW=build/bin/smoothshadow /usr/bin/python3 TestCommandLine.py [Class]...
 """
+import fcntl
 import json
 import math
 import os
@@ -10,8 +11,10 @@ import re
 import resource
 import shutil
 import signal
+import struct
 import subprocess
 import tempfile
+import termios
 import unittest
 
 import Meshes
@@ -347,6 +350,107 @@ class SilhouetteAndVolume(ToolTest):
         self.assertRegex(line, r"\Aout\.vtp: \d+ loops, \d+ points, .*\n\Z")
 
 
+class Check(ToolTest):
+    """Defects are found, not failed at."""
+
+    def defects(self, statistics):
+        return {defect["defect"]: defect["count"] for defect in statistics["defects"]}
+
+    def open_tetrahedron(self):
+        return Meshes.write_obj(self.path("open.obj"), [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)],
+                                [(0, 2, 1), (0, 1, 3), (1, 2, 3)])
+
+    def test_bunny(self):
+        statistics = self.statistics("check", BUNNY)
+        self.assertEqual(statistics["command"], "check")
+        self.assertEqual(statistics["mesh"]["file"], BUNNY)
+        self.assertEqual(statistics["mesh"]["triangles"], BUNNY_TRIANGLES)
+        # Euler's formula on a surface without handles.
+        self.assertEqual(statistics["mesh"]["distinctPoints"], BUNNY_TRIANGLES // 2 + 2)
+        self.assertEqual((statistics["mesh"]["parts"], statistics["mesh"]["closedParts"]), (1, 1))
+        self.assertTrue(statistics["mesh"]["closed"])
+        self.assertEqual(statistics["shadow"], "well defined")
+        self.assertTrue(statistics["intersectionsChecked"])
+        defects = self.defects(statistics)
+        self.assertGreater(defects.pop("averaged normals"), 0)
+        self.assertGreater(defects.pop("estimated normals"), BUNNY_TRIANGLES // 2)
+        self.assertEqual(defects, {"slivers": 4, "pierced triangles": 3})
+        fewer = self.statistics("check", BUNNY, "--no-intersections")
+        self.assertFalse(fewer["intersectionsChecked"])
+        self.assertNotIn("pierced triangles", self.defects(fewer))
+
+    def test_clean_mesh(self):
+        Meshes.write_sphere(self.path("sphere.vtp"))
+        statistics = self.statistics("check", "sphere.vtp")
+        self.assertEqual((statistics["shadow"], statistics["defects"]), ("exact", []))
+        self.assertEqual(self.succeed("check", "sphere.vtp"),
+                         f"sphere.vtp: {Meshes.SPHERE_TRIANGLES} triangles, 86 distinct points, 1 "
+                         "part, closed\n\nNo defects. Its shadow is exact.\n")
+
+    def test_open_mesh(self):
+        mesh = self.open_tetrahedron()
+        statistics = self.statistics("check", mesh)
+        self.assertFalse(statistics["mesh"]["closed"])
+        self.assertEqual(statistics["mesh"]["twoSidedTriangles"], 3)
+        border = next(d for d in statistics["defects"] if d["defect"] == "border edges")
+        self.assertEqual((border["count"], border["meaning"]), (3, "exact"))
+        self.assertEqual(border["place"], [0, 0, 0.5])
+        self.assertTrue(border["shadow"] and border["remedy"])
+        text = self.succeed("check", mesh)
+        self.assertIn("not closed, both sides of 3 triangles cast", " ".join(text.split()))
+        self.assertRegex(text, r"\n +3  border edges +exact +at 0, 0, 0\.5\n")
+        self.assertTrue(text.endswith("above.\n"), text)
+
+    def test_wrapped_to_100_columns(self):
+        lines = self.succeed("check", self.open_tetrahedron()).splitlines()
+        self.assertLessEqual(max(map(len, lines)), 100)
+        self.assertGreater(max(map(len, lines)), 80)
+
+    def test_wrapped_to_the_terminal(self):
+        try:
+            leader, follower = pty.openpty()
+        except OSError as error:
+            self.skipTest(f"no terminal to be had here: {error}")
+        fcntl.ioctl(follower, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 60, 0, 0))
+        run = subprocess.run([TOOL, "check", self.open_tetrahedron()], cwd=self.folder,
+                             stdout=follower, stderr=subprocess.PIPE, timeout=60)
+        os.close(follower)
+        lines = os.read(leader, 65536).decode().splitlines()
+        os.close(leader)
+        self.assertEqual((run.returncode, run.stderr), (0, b""))
+        sentences = [len(line) for line in lines if line.startswith(" " * 10)]
+        self.assertGreater(len(sentences), 5)
+        self.assertLessEqual(max(sentences), 60)
+
+    def test_non_finite_points_are_warned_of(self):
+        mesh = self.path("mesh.vtp")
+        touched = Meshes.write_broken_sphere(mesh, math.nan, point=40)
+        statistics = self.statistics("check", mesh)
+        self.assertEqual(statistics["shadow"], "warned")
+        self.assertEqual(statistics["defects"][0]["defect"], "non-finite cells")
+        self.assertEqual(statistics["defects"][0]["count"], touched)
+        self.assertRegex(self.succeed("check", mesh), r"\nSome of its shadow is missing.*\n\Z")
+        touched = Meshes.write_broken_sphere(mesh, math.nan)
+        statistics = self.statistics("check", mesh)
+        self.assertEqual(self.defects(statistics)["no triangles"], 1)
+        self.assertFalse(statistics["mesh"]["closed"])
+        self.assertIsNone(statistics["defects"][0]["place"])
+
+    def test_lines_are_seen(self):
+        with open(self.path("mesh.vtk"), "w") as file:
+            file.write("# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 5 double\n"
+                       "0 0 0 1 0 0 0 1 0 5 5 5 6 6 6\nPOLYGONS 1 4\n3 0 1 2\nLINES 1 3\n2 3 4\n")
+        statistics = self.statistics("check", "mesh.vtk")
+        self.assertEqual(self.defects(statistics)["lines and vertices"], 1)
+        self.assertNotIn("unused points", self.defects(statistics))
+
+    def test_feature_angle_splits_edges(self):
+        Meshes.write_tetrahedron(self.path("mesh.obj"))
+        counts = [self.defects(self.statistics("check", "mesh.obj", "--feature-angle", angle))
+                  ["estimated normals"] for angle in ("60", "180")]
+        self.assertEqual(counts, [12, 4])
+
+
 class WrongUsage(ToolTest):
     RENDER = ("render", "mesh.obj", "-o", "out.png")
     SILHOUETTE = ("silhouette", "mesh.obj", "-o", "out.vtp", "--light", "1,2,3")
@@ -403,6 +507,10 @@ class WrongUsage(ToolTest):
             ((*self.VOLUME, "--extent", "far"), "far"),
             ((*self.VOLUME, "--plane-origin", "1,2"), "--plane-origin 1,2"),
             ((*self.VOLUME, "--plane-normal", "0,0,0"), "--plane-normal 0,0,0"),
+            (("check",), "mesh"),
+            (("check", "mesh.obj", "second.obj"), "second.obj"),
+            (("check", "mesh.obj", "--light", "1,2,3"), "--light"),
+            (("check", "mesh.obj", "--feature-angle", "181"), "--feature-angle 181"),
         ]
         for arguments, named in cases:
             with self.subTest(arguments):
@@ -411,7 +519,8 @@ class WrongUsage(ToolTest):
 
     def test_help(self):
         for command, named in ((), "silhouette"), (("render",), "--mask"), \
-                (("silhouette",), "--tolerance"), (("volume",), "--caps"):
+                (("silhouette",), "--tolerance"), (("volume",), "--caps"), \
+                (("check",), "--no-intersections"):
             self.assertIn(named, self.succeed(*command, "--help"))
 
 
@@ -422,6 +531,7 @@ class BadInput(ToolTest):
         self.fail_in(file, what, "render", file, "-o", "out.png", "--ground", "--mask", "mask.png")
         self.fail_in(file, what, "silhouette", file, "-o", "out.vtp", *light)
         self.fail_in(file, what, "volume", file, "-o", "out.vtp", *light, "--json")
+        self.fail_in(file, what, "check", file)
 
     def write(self, name, content):
         with open(self.path(name), "wb") as file:

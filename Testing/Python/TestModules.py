@@ -5,7 +5,8 @@ import unittest
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
-from smoothshadow.vtkFiltersShadow import vtkShadowVolumeExtruder, vtkSmoothLightSilhouette
+from smoothshadow.vtkFiltersShadow import (vtkShadowMeshCheck, vtkShadowVolumeExtruder,
+                                           vtkSmoothLightSilhouette)
 from smoothshadow.vtkRenderingOffscreen import vtkOffscreenWindows
 from smoothshadow.vtkRenderingShadow import vtkStencilShadowPass
 
@@ -31,7 +32,7 @@ class Modules(unittest.TestCase):
         self.assertEqual(silhouette.GetKind(), vtkSmoothLightSilhouette.DISCRETE)
         shadows = vtkStencilShadowPass()
         self.assertEqual(shadows.GetKind(), vtkStencilShadowPass.SMOOTH)
-        for thing in (silhouette, shadows, vtkShadowVolumeExtruder()):
+        for thing in (silhouette, shadows, vtkShadowVolumeExtruder(), vtkShadowMeshCheck()):
             self.assertIn(thing.GetClassName(), str(thing))
 
     def test_silhouette_of_a_sphere(self):
@@ -56,6 +57,20 @@ class Modules(unittest.TestCase):
         volume.Update()
         self.assertGreater(volume.GetOutput().GetNumberOfPolys(), 100)
         self.assertEqual(volume.GetOutput().GetFieldData().GetArray("Closed").GetValue(0), 1)
+
+    def test_check_of_an_open_sphere(self):
+        sphere = self.sphere()
+        sphere.SetEndTheta(180)
+        check = vtkShadowMeshCheck()
+        self.assertTrue(check.GetCheckIntersections())
+        check.SetInputConnection(sphere.GetOutputPort())
+        check.Update()
+        table = check.GetOutput()
+        self.assertEqual(table.GetNumberOfRows(), 1)
+        self.assertEqual([table.GetValueByName(0, column).ToString()
+                          for column in ("Defect", "Meaning")], ["border edges", "exact"])
+        self.assertGreater(table.GetValueByName(0, "Count").ToInt(), 20)
+        self.assertEqual(table.GetFieldData().GetArray("ClosedParts").GetValue(0), 0)
 
     def test_empty_in_empty_out(self):
         silhouette = vtkSmoothLightSilhouette()

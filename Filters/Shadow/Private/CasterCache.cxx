@@ -1,7 +1,5 @@
 #include "CasterCache.h"
 
-#include "PolyDataBridge.h"
-
 #include "vtkMath.h"
 #include "vtkPolyData.h"
 
@@ -55,8 +53,7 @@ std::shared_ptr<PreparedCaster> prepare(vtkPolyData* mesh, const CasterSettings&
   BridgedMesh read = readMesh(mesh, settings.mergePoints);
   auto prepared = std::make_shared<PreparedCaster>(
     std::move(read.mesh), vtkMath::RadiansFromDegrees(settings.featureAngle));
-  prepared->degenerateCells = read.degenerateCells;
-  prepared->nonFiniteCells = read.nonFiniteCells;
+  prepared->defects = read.defects;
   return prepared;
 }
 }

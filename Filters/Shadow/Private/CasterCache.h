@@ -3,9 +3,8 @@
 #define CasterCache_h
 
 #include "Caster.h"
+#include "PolyDataBridge.h"
 #include "SMPRangeLoop.h"
-
-#include "vtkType.h"
 
 class vtkPolyData;
 
@@ -21,7 +20,7 @@ struct CasterSettings
   }
 };
 
-// A caster and what was left out when its mesh was read.
+// A caster and what was found when its mesh was read.
 struct PreparedCaster
 {
   PreparedCaster(shadow::TriangleMesh mesh, double featureAngle)
@@ -30,8 +29,7 @@ struct PreparedCaster
   }
 
   shadow::Caster caster;
-  vtkIdType degenerateCells = 0;
-  vtkIdType nonFiniteCells = 0;
+  ReadingDefects defects;
 };
 
 // Holds one filter's caster. Filters of one process that read the same mesh with the same settings

@@ -36,10 +36,11 @@ std::vector<shadow::Vec3> readVectors(vtkDataArray* array)
 class TriangleReader
 {
 public:
-  TriangleReader(vtkPolyData* input, const std::vector<shadow::Vec3>& points, BridgedMesh& result)
+  TriangleReader(
+    vtkPolyData* input, const std::vector<shadow::Vec3>& points, ReadingDefects& defects)
     : Input(input)
     , Points(points)
-    , Result(result)
+    , Defects(defects)
   {
   }
 
@@ -77,19 +78,32 @@ private:
   {
     if (count < 3)
     {
-      ++this->Result.degenerateCells;
+      this->Defects.degenerateCells.add(this->placeOf(count, ids));
       return false;
     }
     for (vtkIdType i = 0; i < count; ++i)
     {
-      const bool exists = ids[i] >= 0 && static_cast<std::size_t>(ids[i]) < this->Points.size();
-      if (!exists || !shadow::isFinite(this->Points[static_cast<std::size_t>(ids[i])]))
+      if (!this->isFinitePoint(ids[i]))
       {
-        ++this->Result.nonFiniteCells;
+        this->Defects.nonFiniteCells.add(this->placeOf(count, ids));
         return false;
       }
     }
     return true;
+  }
+
+  bool isFinitePoint(vtkIdType id) const
+  {
+    return id >= 0 && static_cast<std::size_t>(id) < this->Points.size() &&
+      shadow::isFinite(this->Points[static_cast<std::size_t>(id)]);
+  }
+
+  shadow::Vec3 placeOf(vtkIdType count, const vtkIdType* ids) const
+  {
+    const vtkIdType* finite =
+      std::find_if(ids, ids + count, [this](vtkIdType id) { return this->isFinitePoint(id); });
+    return finite != ids + count ? this->Points[static_cast<std::size_t>(*finite)]
+                                 : shadow::Occurrences().place;
   }
 
   void addPolygon(vtkIdType count, const vtkIdType* ids)
@@ -117,6 +131,7 @@ private:
     }
     // Ear cutting gives up on polygons that cross themselves or have no area. A fan has the same
     // boundary, so a closed mesh stays closed.
+    this->Defects.crossedPolygons.add(this->placeOf(count, ids));
     for (vtkIdType i = 2; i < count; ++i)
     {
       this->Triangles.push_back({ ids[0], ids[i - 1], ids[i] });
@@ -134,7 +149,7 @@ private:
 
   vtkPolyData* Input;
   const std::vector<shadow::Vec3>& Points;
-  BridgedMesh& Result;
+  ReadingDefects& Defects;
   std::vector<PointTriangle> Triangles;
   vtkNew<vtkPolygon> Polygon;
   vtkNew<vtkIdList> Corners;
@@ -194,6 +209,33 @@ shadow::Welding identity(std::size_t count)
   return welding;
 }
 
+void countUnusable(const std::vector<shadow::Vec3>& unitNormals,
+  const std::vector<shadow::Vec3>& points, shadow::Occurrences& unusable)
+{
+  for (std::size_t i = 0; i < unitNormals.size(); ++i)
+  {
+    if (unitNormals[i] == shadow::Vec3(0.0))
+    {
+      unusable.add(points[i]);
+    }
+  }
+}
+
+// The welding of normals is empty where there are none.
+void countRepeated(const std::vector<shadow::Vec3>& points, const shadow::Welding& vertices,
+  const shadow::Welding& normals, shadow::Occurrences& repeated)
+{
+  const auto isFirst = [](const shadow::Welding& welding, std::size_t i)
+  { return welding.first[welding.target[i]] == i; };
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (!isFirst(vertices, i) && (normals.target.empty() || !isFirst(normals, i)))
+    {
+      repeated.add(points[i]);
+    }
+  }
+}
+
 shadow::Triangle mapped(const PointTriangle& t, const std::vector<shadow::Index>& place,
   const std::vector<shadow::Index>& target)
 {
@@ -216,7 +258,7 @@ BridgedMesh readMesh(vtkPolyData* input, bool mergePoints)
   }
   const std::vector<shadow::Vec3> allPoints = readVectors(input->GetPoints()->GetData());
   const std::vector<PointTriangle> triangles =
-    TriangleReader(input, allPoints, result).read();
+    TriangleReader(input, allPoints, result.defects).read();
   std::vector<shadow::Index> place(allPoints.size(), shadow::None);
   const std::vector<vtkIdType> used = usedPoints(triangles, place);
 
@@ -241,6 +283,7 @@ BridgedMesh readMesh(vtkPolyData* input, bool mergePoints)
       // To equal one another: those that are no numbers are estimated later, like those of zero.
       normal = shadow::unitOrZero(normal);
     }
+    countUnusable(given, points, result.defects.unusableNormals);
     normals = shadow::weldNormals(given, vertices.target);
     mesh.normals.reserve(normals.first.size());
     mesh.normalVertex.reserve(normals.first.size());
@@ -250,6 +293,7 @@ BridgedMesh readMesh(vtkPolyData* input, bool mergePoints)
       mesh.normalVertex.push_back(vertices.target[i]);
     }
   }
+  countRepeated(points, vertices, normals, result.defects.repeatedPoints);
   mesh.triangles.reserve(triangles.size());
   mesh.cornerNormals.reserve(hasNormals ? triangles.size() : 0);
   for (const PointTriangle& t : triangles)
@@ -257,7 +301,7 @@ BridgedMesh readMesh(vtkPolyData* input, bool mergePoints)
     const shadow::Triangle corners = mapped(t, place, vertices.target);
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
     {
-      ++result.degenerateCells;
+      result.defects.degenerateCells.add(mesh.points[corners[0]]);
       continue;
     }
     mesh.triangles.push_back(corners);

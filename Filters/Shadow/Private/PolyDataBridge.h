@@ -3,19 +3,27 @@
 #define PolyDataBridge_h
 
 #include "Geometry.h"
-
-#include "vtkType.h"
+#include "Occurrences.h"
 
 #include <string>
 
 class vtkPolyData;
 
+// What was found when a mesh was read. Cells occur at their first point that is finite.
+struct ReadingDefects
+{
+  shadow::Occurrences degenerateCells; // triangles with two equal corners: they cast nothing
+  shadow::Occurrences nonFiniteCells;  // left out, as are cells with points that do not exist
+  shadow::Occurrences crossedPolygons; // ear cutting gave up: they became fans
+  shadow::Occurrences repeatedPoints;  // that are welded with an earlier one, their normals too
+  shadow::Occurrences unusableNormals; // given, but zero or not finite
+};
+
 // A mesh as it was read. Its normals are empty where the input has none.
 struct BridgedMesh
 {
   shadow::TriangleMesh mesh;
-  vtkIdType degenerateCells = 0; // triangles with two equal corners: they cast nothing
-  vtkIdType nonFiniteCells = 0;  // left out, as are cells with points that do not exist
+  ReadingDefects defects;
 };
 
 // Polygons are triangulated by ear cutting, strips are taken apart. Points that no triangle uses

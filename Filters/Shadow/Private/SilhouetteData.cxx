@@ -140,8 +140,8 @@ void writeLoops(const shadow::Caster& caster, const shadow::SilhouetteChain& cha
 void writeDiagnosis(const PreparedCaster& prepared, vtkPolyData* output)
 {
   const shadow::EdgeDefects& defects = prepared.caster.defects();
-  addField<vtkIdTypeArray>(output, "DegenerateCells", { prepared.degenerateCells });
-  addField<vtkIdTypeArray>(output, "NonFiniteCells", { prepared.nonFiniteCells });
+  addCount(output, "DegenerateCells", prepared.defects.degenerateCells.count);
+  addCount(output, "NonFiniteCells", prepared.defects.nonFiniteCells.count);
   addCount(output, "BoundaryEdges", defects.boundary);
   addCount(output, "NonManifoldEdges", defects.nonManifold);
   addCount(output, "InconsistentEdges", defects.inconsistent);

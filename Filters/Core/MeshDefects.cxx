@@ -1,0 +1,145 @@
+#include "MeshDefects.h"
+
+#include <algorithm>
+
+namespace shadow
+{
+namespace
+{
+Vec3 middleOf(const TriangleMesh& mesh, const Edge& edge)
+{
+  return 0.5 * (mesh.points[edge.a] + mesh.points[edge.b]);
+}
+
+Vec3 middleOf(const TriangleMesh& mesh, Index triangle)
+{
+  const Triangle& t = mesh.triangles[triangle];
+  return (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3.0;
+}
+
+void addEdges(const TriangleMesh& mesh, const EdgeTable& edges, MeshDefects& defects)
+{
+  for (std::size_t i = edges.regular; i < edges.edges.size(); ++i)
+  {
+    const Index e = static_cast<Index>(i);
+    const Index sides = edges.sideCount(e);
+    const Vec3 place = middleOf(mesh, edges.edges[e]);
+    if (sides == 1)
+    {
+      defects.borderEdges.add(place);
+    }
+    else if (sides > 2)
+    {
+      defects.nonManifoldEdges.add(place);
+    }
+    else if (signSum(mesh, edges, e) != 0)
+    {
+      defects.inconsistentEdges.add(place);
+    }
+  }
+}
+
+void addDuplicates(const TriangleMesh& mesh, MeshDefects& defects)
+{
+  std::vector<Triangle> sorted = mesh.triangles;
+  for (Triangle& t : sorted)
+  {
+    std::sort(t.begin(), t.end());
+  }
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+  {
+    if (sorted[i] == sorted[i - 1])
+    {
+      const Triangle& t = sorted[i];
+      defects.duplicateTriangles.add(
+        (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3.0);
+    }
+  }
+}
+
+double largestCoordinate(const Vec3& p)
+{
+  return std::max(std::fabs(p.x), std::max(std::fabs(p.y), std::fabs(p.z)));
+}
+
+struct Shape
+{
+  bool isFlat;
+  bool isSliver;
+};
+
+Shape shapeOf(const TriangleMesh& mesh, Index triangle)
+{
+  const Triangle& t = mesh.triangles[triangle];
+  double longest = 0.0;
+  double coordinate = 0.0;
+  for (unsigned k = 0; k < 3; ++k)
+  {
+    const Vec3& p = mesh.points[t[k]];
+    longest = std::max(longest, glm::length(mesh.points[t[next(k)]] - p));
+    coordinate = std::max(coordinate, largestCoordinate(p));
+  }
+  // Of a point that is computed on a line, as a mean of two others, the coordinates are rounded
+  // twice, each time by half an epsilon: in space that is less than two of them. The same again
+  // leaves room for the area's own roundings.
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * coordinate;
+  const double doubleArea = glm::length(mesh.areaNormal(triangle));
+  const bool isFlat = !(doubleArea > longest * rounding);
+  return { isFlat, !isFlat && sliverAspect * doubleArea <= longest * longest };
+}
+
+void addTriangles(const TriangleMesh& mesh, const ChainWeights& weights, MeshDefects& defects)
+{
+  std::vector<Occurrences> insideOut(weights.parts.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    const Index t = static_cast<Index>(i);
+    const Vec3 place = middleOf(mesh, t);
+    const Shape shape = shapeOf(mesh, t);
+    if (shape.isFlat)
+    {
+      defects.flatTriangles.add(place);
+    }
+    if (shape.isSliver)
+    {
+      defects.slivers.add(place);
+    }
+    const MeshPart& part = weights.parts[weights.part(t)];
+    defects.twoSidedTriangles += !part.closed;
+    if (part.closed && !part.outward)
+    {
+      insideOut[weights.part(t)].add(place);
+    }
+    if (!weights.agreeing.empty() && weights.agreeing[t] == 0)
+    {
+      defects.turnedNormals.add(place);
+    }
+    const double agreement = normalAgreement(mesh, t);
+    if (part.closed && !shape.isFlat && (part.normalsAgree ? agreement < 0.0 : agreement > 0.0))
+    {
+      defects.contraryNormals.add(place);
+    }
+  }
+  for (const Occurrences& part : insideOut)
+  {
+    if (part.count > 0)
+    {
+      defects.insideOutParts.add(part.place);
+    }
+  }
+}
+}
+
+MeshDefects findMeshDefects(
+  const TriangleMesh& mesh, const EdgeTable& edges, const ChainWeights& weights)
+{
+  MeshDefects defects;
+  addEdges(mesh, edges, defects);
+  addDuplicates(mesh, defects);
+  addTriangles(mesh, weights, defects);
+  defects.closedParts = static_cast<std::size_t>(std::count_if(weights.parts.begin(),
+    weights.parts.end(), [](const MeshPart& part) { return part.closed; }));
+  return defects;
+}
+}

@@ -1,0 +1,80 @@
+#include "BorderGaps.h"
+
+#include <gtest/gtest.h>
+
+using namespace shadow;
+
+namespace
+{
+/// A sheet of cells x 1 squares over [0, 1] x [low, high], z = 0, appended to the mesh.
+void addStrip(TriangleMesh& mesh, Index cells, double low, double high)
+{
+  const Index first = static_cast<Index>(mesh.points.size());
+  for (Index i = 0; i <= cells; ++i)
+  {
+    mesh.points.emplace_back(double(i) / cells, low, 0.0);
+    mesh.points.emplace_back(double(i) / cells, high, 0.0);
+  }
+  for (Index i = 0; i < cells; ++i)
+  {
+    const Index a = first + 2 * i;
+    mesh.triangles.push_back({ a, a + 2, a + 3 });
+    mesh.triangles.push_back({ a, a + 3, a + 1 });
+  }
+}
+
+BorderGaps gapsOf(const TriangleMesh& mesh, double reach)
+{
+  return findBorderGaps(mesh, buildEdgeTable(mesh), reach, serialLoop);
+}
+}
+
+TEST(BorderGaps, SeamsOpenByLittleAreFound)
+{
+  TriangleMesh mesh;
+  addStrip(mesh, 8, 0.0, 1.0);
+  addStrip(mesh, 8, 1.0 + 1e-8, 2.0);
+  const BorderGaps gaps = gapsOf(mesh, 1e-6);
+  EXPECT_EQ(gaps.nearSeams.count, 18u);
+  EXPECT_EQ(gaps.nearSeams.place, Vec3(0.0, 1.0, 0.0));
+  EXPECT_EQ(gaps.tJunctions.count, 0u);
+  EXPECT_EQ(gapsOf(mesh, 1e-9).nearSeams.count, 0u);
+}
+
+// Points at the same place were left apart on purpose, or they would have been welded.
+TEST(BorderGaps, OneOfNoWidthIsNone)
+{
+  TriangleMesh mesh;
+  addStrip(mesh, 8, 0.0, 1.0);
+  addStrip(mesh, 8, 1.0, 2.0);
+  EXPECT_EQ(gapsOf(mesh, 1e-6).nearSeams.count, 0u);
+}
+
+// Against 8 squares stand 4: every second of the eight's vertices is inside of one of their edges.
+TEST(BorderGaps, TJunctionsAreFoundWithAndWithoutAGap)
+{
+  for (const double gap : { 0.0, 1e-8 })
+  {
+    TriangleMesh mesh;
+    addStrip(mesh, 8, 0.0, 1.0);
+    addStrip(mesh, 4, 1.0 + gap, 2.0);
+    const BorderGaps gaps = gapsOf(mesh, 1e-6);
+    EXPECT_EQ(gaps.tJunctions.count, 4u);
+    EXPECT_EQ(gaps.tJunctions.place, Vec3(0.125, 1.0, 0.0));
+    EXPECT_EQ(gaps.nearSeams.count, gap > 0.0 ? 10u : 0u);
+  }
+}
+
+TEST(BorderGaps, FineAndThinMeshesAreNotTakenForGaps)
+{
+  TriangleMesh fine;
+  addStrip(fine, 1000, 0.0, 1e-3);
+  const BorderGaps gaps = gapsOf(fine, 1e-2);
+  EXPECT_EQ(gaps.nearSeams.count, 0u);
+  EXPECT_EQ(gaps.tJunctions.count, 0u);
+  // A sliver's corner is as near to its own side.
+  TriangleMesh sliver;
+  sliver.points = { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.5, 1e-9, 0.0 } };
+  sliver.triangles = { { 0, 1, 2 } };
+  EXPECT_EQ(gapsOf(sliver, 1e-6).tJunctions.count, 0u);
+}
