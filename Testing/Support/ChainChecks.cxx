@@ -6,6 +6,7 @@
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -14,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <ostream>
@@ -241,6 +243,30 @@ LoopReport checkLoops(vtkPolyData* silhouette)
     }
   }
   return report;
+}
+
+vtkIdType nonFiniteNumbers(vtkPolyData* data)
+{
+  vtkIdType count = 0;
+  const auto add = [&count](vtkDataArray* array) {
+    for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+    {
+      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+      {
+        count += !std::isfinite(array->GetComponent(i, c));
+      }
+    }
+  };
+  add(data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
+  for (vtkFieldData* arrays : std::initializer_list<vtkFieldData*>{
+         data->GetPointData(), data->GetCellData(), data->GetFieldData() })
+  {
+    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+    {
+      add(arrays->GetArray(i));
+    }
+  }
+  return count;
 }
 
 double windingNumber(vtkPolyData* volume, const double point[3])

@@ -49,6 +49,9 @@ std::ostream& operator<<(std::ostream& out, const LoopReport& report);
 /// Looks at the lines of a silhouette.
 LoopReport checkLoops(vtkPolyData* silhouette);
 
+/// Numbers that are NaN or infinite, in the points and in all arrays of points, cells and fields.
+vtkIdType nonFiniteNumbers(vtkPolyData* data);
+
 /// How often the polygons of a volume wind around a point: solid angles over 4 pi. Points at
 /// infinity are taken as such, not truncated. A whole number unless the volume is open or the
 /// point lies on it. Good to tolerance::Winding within 1,000 sizes of the mesh; the error grows
