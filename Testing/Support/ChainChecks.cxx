@@ -269,22 +269,36 @@ vtkIdType nonFiniteNumbers(vtkPolyData* data)
   return count;
 }
 
-double windingNumber(vtkPolyData* volume, const double point[3])
+VolumeWinding::VolumeWinding(vtkPolyData* volume)
+  : Points(homogeneousPoints(volume))
 {
-  const std::vector<Vec4> points = homogeneousPoints(volume);
-  double sum = 0.0;
   for (const WeightedCell& cell : weightedPolygons(volume))
   {
-    auto corner = [&](std::size_t i) {
-      return seenFrom(points[static_cast<std::size_t>(cell.Ids[i])], point);
-    };
+    auto corner = [&](std::size_t i) { return static_cast<std::size_t>(cell.Ids[i]); };
     for (std::size_t i = 2; i < cell.Ids.size(); ++i)
     {
-      sum +=
-        static_cast<double>(cell.Multiplicity) * solidAngle(corner(0), corner(i - 1), corner(i));
+      this->Triangles.push_back(
+        { { corner(0), corner(i - 1), corner(i) }, static_cast<double>(cell.Multiplicity) });
     }
   }
+}
+
+double VolumeWinding::around(const double point[3]) const
+{
+  double sum = 0.0;
+  for (const WeightedTriangle& triangle : this->Triangles)
+  {
+    const auto corner = [&](std::size_t i) {
+      return seenFrom(this->Points[triangle.Corners[i]], point);
+    };
+    sum += triangle.Multiplicity * solidAngle(corner(0), corner(1), corner(2));
+  }
   return sum / (4.0 * Pi);
+}
+
+double windingNumber(vtkPolyData* volume, const double point[3])
+{
+  return VolumeWinding(volume).around(point);
 }
 
 double enclosedVolume(vtkPolyData* polygons)

@@ -9,8 +9,10 @@
 
 #include <vtkType.h>
 
+#include <array>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 class vtkPolyData;
 
@@ -57,6 +59,23 @@ vtkIdType nonFiniteNumbers(vtkPolyData* data);
 /// point lies on it. Good to tolerance::Winding within 1,000 sizes of the mesh; the error grows
 /// with the square of the distance, as the solid angles shrink.
 double windingNumber(vtkPolyData* volume, const double point[3]);
+
+/// The same around many points of one volume, which is read once.
+class VolumeWinding
+{
+public:
+  explicit VolumeWinding(vtkPolyData* volume);
+  double around(const double point[3]) const;
+
+private:
+  struct WeightedTriangle
+  {
+    std::array<std::size_t, 3> Corners;
+    double Multiplicity;
+  };
+  std::vector<std::array<double, 4>> Points;
+  std::vector<WeightedTriangle> Triangles;
+};
 
 /// Volume enclosed by the polygons, by the divergence theorem; points at infinity not allowed.
 double enclosedVolume(vtkPolyData* polygons);

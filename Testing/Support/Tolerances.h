@@ -29,6 +29,12 @@ constexpr double Volume = 1e-10;
 /// double to be compared with another one.
 constexpr double TooClose = 1e-9;
 
+/// Roundings, of coordinates as large as a scene is far away, by which a ray's place in a triangle may
+/// be off in double: those of three corners, of both ends of the ray, and of the differences between
+/// them. Times a rounding of the place, over the triangle's size, it is the least margin at which
+/// two decisions about a ray there are compared.
+constexpr double RoundingsOfPlace = 32.0;
+
 /// Residual at which the Newton iterations of the analytic shadows have converged.
 constexpr double Newton = 1e-13;
 
