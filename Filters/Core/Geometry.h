@@ -45,6 +45,13 @@ inline Vec3 unitOrZero(const Vec3& v)
   return scaled / glm::length(scaled);
 }
 
+/// The vector of unit length, or where it has no direction the other one, as it is.
+inline Vec3 unitOr(const Vec3& v, const Vec3& otherwise)
+{
+  const Vec3 unit = unitOrZero(v);
+  return unit != Vec3(0.0) ? unit : otherwise;
+}
+
 /// A light, homogeneous with w >= 0: a point for w > 0, at position / w; for w = 0 the direction
 /// towards a light at infinity.
 struct Light

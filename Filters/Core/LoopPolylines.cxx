@@ -14,13 +14,14 @@ struct ContourPoint
   Vec3 normal;
 };
 
+/// Where the ends' normals cancel, as on a mesh whose winding changes, a point has the first end's.
 ContourPoint pointBetween(
   const CubicCurve& curve, double s, const ContourPoint& from, const ContourPoint& to)
 {
   const Vec3 tangent = unitOrZero(curve.derivative(s));
-  Vec3 normal = from.normal + s * (to.normal - from.normal);
+  Vec3 normal = unitOr(from.normal + s * (to.normal - from.normal), from.normal);
   normal -= glm::dot(normal, tangent) * tangent;
-  return { curve.point(s), unitOrZero(normal) };
+  return { curve.point(s), unitOr(normal, from.normal) };
 }
 
 class PolylineMaker

@@ -179,12 +179,14 @@ private:
       this->Chain.field.value(normals.a), this->Chain.field.value(normals.b) };
   }
 
+  /// Opposite normals at the ends cancel: then a crossing has the first end's.
   void solveLinear(Crossing& c) const
   {
     const Ends ends = this->endsOf(c);
     c.parameter = linearCrossing(ends.fieldA, ends.fieldB);
     c.point = meshPoint(this->Mesh, this->Edges, c);
-    c.normal = unitOrZero(ends.normalA + c.parameter * (ends.normalB - ends.normalA));
+    c.normal =
+      unitOr(ends.normalA + c.parameter * (ends.normalB - ends.normalA), ends.normalA);
   }
 
   /// Those on curves of shape Surface, nearly all, together.
@@ -216,7 +218,7 @@ private:
             curves[i], e.normalA, e.normalB, e.fieldA, e.fieldB, this->Chain.light);
       const EdgeCurve::Sample sample = curves[i].sample(c.parameter, e.normalA, e.normalB);
       c.point = sample.point;
-      c.normal = unitOrZero(sample.normal);
+      c.normal = unitOr(sample.normal, e.normalA);
     }
   }
 

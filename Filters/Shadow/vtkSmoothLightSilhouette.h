@@ -22,10 +22,10 @@
  * shadow, contours have multiplicity 2 there and borders 1.
  *
  * Output: polylines, one cell a loop; a loop repeats its first point id at its end.
- * - PointData `Normals` (3, double, unit; zero where the mesh has none: at triangles without area,
- *   and between normals that are opposite), `MeshPoints` (3, double: the point on the mesh that
- *   belongs to it), `MeshNodes` (vtkIdType: a number of the vertex or the crossing on the
- *   mesh, -1 between these; not of the input's points. vtkShadowVolumeExtruder needs it).
+ * - PointData `Normals` (3, double, unit; zero at a vertex of triangles without area for which the
+ *   mesh has no normal), `MeshPoints` (3, double: the point on the mesh that belongs to it),
+ *   `MeshNodes` (vtkIdType: a number of the vertex or the crossing on the mesh, -1 between these;
+ *   not of the input's points. vtkShadowVolumeExtruder needs it).
  * - CellData `Kind` (0 contour, 1 crease, 2 border, 3 mixed), `Closed` (always 1), `Multiplicity`.
  * - FieldData `LightPosition` (4), `MaximumDeviation` (world units: no point of a polyline's curve
  *   is farther than this from the polyline), `MaximumShadowDeviation` (with ToleranceMode RECEIVER:

@@ -206,6 +206,32 @@ TEST(SmoothLightSilhouette, MisorientedNormalsAndWindingsDoNotMatter)
   EXPECT_GT(difference.Expected, 20u);
 }
 
+// Where they cancel in between, a point has the normal of one of the two.
+TEST(SmoothLightSilhouette, OppositeNormalsAtAnEdgesEndsGiveUnitNormals)
+{
+  shadowtest::MeshBuilder triangle;
+  triangle.addPoint({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+  triangle.addPoint({ 1.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+  triangle.addPoint({ 0.0, 1.0, 0.0 }, { 0.0, 0.0, -1.0 });
+  triangle.addTriangle(0, 1, 2);
+  // The triangles of the other one are wound at random, so estimated normals are opposite, too.
+  const shadowtest::Mesh meshes[] = { triangle.build(), shadowtest::cgalMesh("oblong-shuffled") };
+  for (const shadowtest::Mesh& mesh : meshes)
+  {
+    for (const int kind : shadowtest::AllKinds)
+    {
+      for (const LightPosition& light : { Lights[1], Lights[2], LightPosition{ -1, 0, -1, 0 } })
+      {
+        ShadowPipeline pipeline(mesh, light, kind);
+        const shadowtest::LoopReport report = shadowtest::checkLoops(pipeline.silhouette());
+        EXPECT_TRUE(report.HasNormals);
+        EXPECT_GT(report.Loops, 0);
+        EXPECT_TRUE(report.good()) << "kind " << kind << ": " << report;
+      }
+    }
+  }
+}
+
 TEST(SmoothLightSilhouette, StripsAndPolygonsAreTheirTriangles)
 {
   const shadowtest::Mesh torus = shadowtest::torus(18, 9);

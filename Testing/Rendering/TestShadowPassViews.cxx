@@ -1,7 +1,6 @@
-// Masks wherever the eye is: in a shadow, beside a light, far from the origin, with clipping planes
-// through a volume, and in parallel projection.
+// Masks of views: parallel, with the caster out of view, far from the origin. Harder ones are in
+// Robustness/TestHardPictures.
 
-#include "ImageChecks.h"
 #include "ShadowScene.h"
 #include "TestMeshes.h"
 
@@ -16,53 +15,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 using namespace shadowtest;
-
-TEST(StencilShadowPass, EyeInShadow)
-{
-  for (const RayLight& position : { PointLight, DirectionalLight })
-  {
-    Scene scene;
-    const Mesh roof = moved(box(2.0, 2.0, 0.05), 1.0, { 0.0, 0.0, 1.5 });
-    scene.Add(roof);
-    vtkSmartPointer<vtkLight> light = scene.AddLight(position);
-    scene.Look(0.3, 0.2, 0.9);
-    scene.Renderer->GetActiveCamera()->SetFocalPoint(-2.0, -3.0, 0.0);
-    scene.Renderer->GetActiveCamera()->SetClippingRange(0.01, 20.0);
-    auto window = MakeWindow(240, 180);
-    window->AddRenderer(scene.Renderer);
-    window->Render();
-    ExpectMask(scene, light, position, { { scene.GroundMesh }, { roof } }, "under a roof");
-    const double dark = blackFraction(scene.Mask(light));
-    EXPECT_GT(dark, 0.1);
-    EXPECT_LT(dark, 0.95);
-  }
-}
-
-TEST(StencilShadowPass, NearAndFarPlaneThroughVolume)
-{
-  Scene scene;
-  const Mesh mesh = FloatingBox();
-  scene.Add(mesh);
-  vtkSmartPointer<vtkLight> light = scene.AddLight(DirectionalLight);
-  vtkCamera* camera = scene.Renderer->GetActiveCamera();
-  // Behind the caster and within reach of its shadow: the near plane cuts the walls, and the far
-  // plane lies just behind what is seen.
-  camera->SetPosition(-1.0, -0.3, 0.6);
-  camera->SetFocalPoint(-0.4, 0.3, 0.0);
-  auto window = MakeWindow(240, 180);
-  window->AddRenderer(scene.Renderer);
-  for (const double nearest : { 0.05, 0.3, 0.5, 0.6 })
-  {
-    camera->SetClippingRange(nearest, 6.0);
-    window->Render();
-    const Image mask = scene.Mask(light);
-    // The oracle looks from the near plane on, so it does not see what that plane cuts away.
-    ExpectMask(scene, light, DirectionalLight, { { scene.GroundMesh }, { mesh } }, "near plane");
-  }
-}
 
 TEST(StencilShadowPass, ParallelProjection)
 {
@@ -82,7 +35,7 @@ TEST(StencilShadowPass, ParallelProjection)
   }
 }
 
-TEST(StencilShadowPass, CasterOutOfViewAndLightInView)
+TEST(StencilShadowPass, CasterOutOfView)
 {
   Scene scene;
   const Mesh mesh = moved(box(), 0.4, { 1.6, 1.2, 3.2 }, 5);
@@ -96,16 +49,6 @@ TEST(StencilShadowPass, CasterOutOfViewAndLightInView)
   window->AddRenderer(scene.Renderer);
   window->Render();
   ExpectMask(scene, light, position, { { scene.GroundMesh }, { mesh } }, "out of view");
-
-  camera->SetPosition(-3.0, -2.0, 3.0);
-  camera->SetFocalPoint(1.6, 1.2, 2.6);
-  camera->SetViewAngle(80.0);
-  scene.Renderer->SetWorldPoint(position.data());
-  scene.Renderer->WorldToView();
-  EXPECT_LT(std::abs(scene.Renderer->GetViewPoint()[0]), 1.0);
-  EXPECT_LT(std::abs(scene.Renderer->GetViewPoint()[1]), 1.0);
-  window->Render();
-  ExpectMask(scene, light, position, { { scene.GroundMesh }, { mesh } }, "light in view");
 }
 
 TEST(StencilShadowPass, FarFromTheOrigin)

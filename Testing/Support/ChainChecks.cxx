@@ -6,6 +6,7 @@
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -14,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <ostream>
@@ -243,22 +245,60 @@ LoopReport checkLoops(vtkPolyData* silhouette)
   return report;
 }
 
-double windingNumber(vtkPolyData* volume, const double point[3])
+vtkIdType nonFiniteNumbers(vtkPolyData* data)
 {
-  const std::vector<Vec4> points = homogeneousPoints(volume);
-  double sum = 0.0;
-  for (const WeightedCell& cell : weightedPolygons(volume))
-  {
-    auto corner = [&](std::size_t i) {
-      return seenFrom(points[static_cast<std::size_t>(cell.Ids[i])], point);
-    };
-    for (std::size_t i = 2; i < cell.Ids.size(); ++i)
+  vtkIdType count = 0;
+  const auto add = [&count](vtkDataArray* array) {
+    for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
     {
-      sum +=
-        static_cast<double>(cell.Multiplicity) * solidAngle(corner(0), corner(i - 1), corner(i));
+      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+      {
+        count += !std::isfinite(array->GetComponent(i, c));
+      }
+    }
+  };
+  add(data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
+  for (vtkFieldData* arrays : std::initializer_list<vtkFieldData*>{
+         data->GetPointData(), data->GetCellData(), data->GetFieldData() })
+  {
+    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+    {
+      add(arrays->GetArray(i));
     }
   }
+  return count;
+}
+
+VolumeWinding::VolumeWinding(vtkPolyData* volume)
+  : Points(homogeneousPoints(volume))
+{
+  for (const WeightedCell& cell : weightedPolygons(volume))
+  {
+    auto corner = [&](std::size_t i) { return static_cast<std::size_t>(cell.Ids[i]); };
+    for (std::size_t i = 2; i < cell.Ids.size(); ++i)
+    {
+      this->Triangles.push_back(
+        { { corner(0), corner(i - 1), corner(i) }, static_cast<double>(cell.Multiplicity) });
+    }
+  }
+}
+
+double VolumeWinding::around(const double point[3]) const
+{
+  double sum = 0.0;
+  for (const WeightedTriangle& triangle : this->Triangles)
+  {
+    const auto corner = [&](std::size_t i) {
+      return seenFrom(this->Points[triangle.Corners[i]], point);
+    };
+    sum += triangle.Multiplicity * solidAngle(corner(0), corner(1), corner(2));
+  }
   return sum / (4.0 * Pi);
+}
+
+double windingNumber(vtkPolyData* volume, const double point[3])
+{
+  return VolumeWinding(volume).around(point);
 }
 
 double enclosedVolume(vtkPolyData* polygons)

@@ -9,8 +9,10 @@
 
 #include <vtkType.h>
 
+#include <array>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 class vtkPolyData;
 
@@ -49,11 +51,31 @@ std::ostream& operator<<(std::ostream& out, const LoopReport& report);
 /// Looks at the lines of a silhouette.
 LoopReport checkLoops(vtkPolyData* silhouette);
 
+/// Numbers that are NaN or infinite, in the points and in all arrays of points, cells and fields.
+vtkIdType nonFiniteNumbers(vtkPolyData* data);
+
 /// How often the polygons of a volume wind around a point: solid angles over 4 pi. Points at
 /// infinity are taken as such, not truncated. A whole number unless the volume is open or the
 /// point lies on it. Good to tolerance::Winding within 1,000 sizes of the mesh; the error grows
 /// with the square of the distance, as the solid angles shrink.
 double windingNumber(vtkPolyData* volume, const double point[3]);
+
+/// The same around many points of one volume, which is read once.
+class VolumeWinding
+{
+public:
+  explicit VolumeWinding(vtkPolyData* volume);
+  double around(const double point[3]) const;
+
+private:
+  struct WeightedTriangle
+  {
+    std::array<std::size_t, 3> Corners;
+    double Multiplicity;
+  };
+  std::vector<std::array<double, 4>> Points;
+  std::vector<WeightedTriangle> Triangles;
+};
 
 /// Volume enclosed by the polygons, by the divergence theorem; points at infinity not allowed.
 double enclosedVolume(vtkPolyData* polygons);

@@ -20,12 +20,19 @@ bool isLit(const RaySample& sample)
   return sample.Light == Visibility::Lit || sample.Light == Visibility::Background;
 }
 
+/// The triangle's side that is seen gets no light, whatever is in between.
+bool isDarkAnyway(const RaySample& sample)
+{
+  return sample.Light == Visibility::TurnedAway ||
+    (sample.Light != Visibility::Background && sample.Cosine <= tolerance::EdgeOn);
+}
+
 /// Between them is an edge of an object, of a cast shadow, or of an attached one: there the walls
 /// of the volume leave the surface, at an angle that may be too small for a depth buffer.
 bool differs(const RaySample& a, const RaySample& b)
 {
   return a.Object != b.Object || isLit(a) != isLit(b) ||
-    (a.Light == Visibility::TurnedAway) != (b.Light == Visibility::TurnedAway);
+    isDarkAnyway(a) != isDarkAnyway(b);
 }
 
 bool neighbourDiffers(const RayPicture& picture, int x, int y)
@@ -69,12 +76,13 @@ void add(MaskCount& sum, const MaskCount& count)
   sum.Shadowed += count.Shadowed;
   sum.Wrong += count.Wrong;
   sum.WrongBeyond += count.WrongBeyond;
+  sum.WrongFaint += count.WrongFaint;
 }
 
 void describe(std::ostream& out, const MaskCount& count)
 {
   out << count.Compared << " compared, " << count.Shadowed << " in shadow, " << count.Wrong
-      << " wrong, " << count.WrongBeyond << " beyond";
+      << " wrong, " << count.WrongBeyond << " beyond, " << count.WrongFaint << " of them faint";
 }
 }
 
@@ -135,7 +143,8 @@ MaskComparison compareMask(const RayScene& scene, const RayView& view, const Ray
     for (int x = 0; x < view.Width; ++x)
     {
       const RaySample& sample = picture.at(x, y);
-      if (sample.Light == Visibility::TurnedAway && turnedAway == TurnedAwayPixels::Ignored)
+      if (isDarkAnyway(sample) &&
+        (turnedAway == TurnedAwayPixels::Ignored || sample.Light != Visibility::TurnedAway))
       {
         continue;
       }
@@ -161,6 +170,7 @@ MaskComparison compareMask(const RayScene& scene, const RayView& view, const Ray
       }
       ++searches;
       ++count.WrongBeyond;
+      count.WrongFaint += sample.Cosine <= tolerance::FaintLight;
       if (result.FirstBeyond.size() < MostListed)
       {
         result.FirstBeyond.push_back({ x, y, sample.Cosine });

@@ -17,6 +17,7 @@ struct MaskCount
   long Shadowed = 0; ///< of these, in shadow by the oracle
   long Wrong = 0;
   long WrongBeyond = 0; ///< of these, farther than tolerance::MaskPixels from an edge
+  long WrongFaint = 0;  ///< of these, lit so faintly (tolerance::FaintLight) that they are black
 };
 
 struct WrongPixel
@@ -45,6 +46,8 @@ enum class TurnedAwayPixels
 };
 
 /// Compares a mask (one component, 0 shadow, otherwise lit, of the view's size) with the oracle.
+/// Triangles that are edge-on to the light (tolerance::EdgeOn) are neither lit nor in shadow and are
+/// left out.
 ///
 /// A pixel is near an edge if, somewhere within one pixel of its middle in x and y, the oracle sees
 /// another object than at its middle, or changes between lit, in shadow and turned away. This is looked for at the
