@@ -275,6 +275,22 @@ TEST(SmoothLightSilhouette, BadCellsAreLeftOutAndCounted)
   }
 }
 
+TEST(SmoothLightSilhouette, CellsOverNoPointsAreCounted)
+{
+  vtkNew<vtkPolyData> pointless;
+  vtkNew<vtkPolyData> emptied;
+  vtkNew<vtkPoints> none;
+  emptied->SetPoints(none);
+  for (vtkPolyData* mesh : { pointless.Get(), emptied.Get() })
+  {
+    mesh->SetPolys(shadowtest::weldedBox()->GetPolys());
+    ShadowPipeline pipeline(mesh, Lights[3], vtkSmoothLightSilhouette::SMOOTH);
+    EXPECT_EQ(shadowtest::fieldValue(pipeline.silhouette(), "NonFiniteCells"), 12.0);
+    EXPECT_EQ(pipeline.silhouette()->GetNumberOfCells(), 0);
+    EXPECT_EQ(pipeline.volume()->GetNumberOfCells(), 0);
+  }
+}
+
 TEST(SmoothLightSilhouette, DefectsAreCounted)
 {
   ShadowPipeline fin(shadowtest::fin(3), Lights[3], vtkSmoothLightSilhouette::DISCRETE);

@@ -210,11 +210,9 @@ BridgedMesh readMesh(vtkPolyData* input, bool mergePoints)
 {
   BridgedMesh result;
   shadow::TriangleMesh& mesh = result.mesh;
-  if (!input->GetPoints())
-  {
-    return result;
-  }
-  const std::vector<shadow::Vec3> allPoints = readVectors(input->GetPoints()->GetData());
+  // Cells over no points at all are counted as those with some that do not exist.
+  const std::vector<shadow::Vec3> allPoints =
+    input->GetPoints() ? readVectors(input->GetPoints()->GetData()) : std::vector<shadow::Vec3>();
   const std::vector<PointTriangle> triangles =
     TriangleReader(input, allPoints, result).read();
   std::vector<shadow::Index> place(allPoints.size(), shadow::None);
