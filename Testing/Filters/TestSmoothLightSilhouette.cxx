@@ -261,6 +261,25 @@ TEST(SmoothLightSilhouette, BadLightsAreErrorsThatNameTheValue)
   }
 }
 
+// On the side that the sign of w says.
+TEST(SmoothLightSilhouette, PointsTooFarForDoublesAreDirections)
+{
+  const shadowtest::Mesh mesh = shadowtest::ellipsoid(8, 12);
+  for (const double side : { 1.0, -1.0 })
+  {
+    for (const int kind : shadowtest::AllKinds)
+    {
+      ShadowPipeline far(mesh, { 1e305, 3e305, 2e305, side * 1e-10 }, kind);
+      ShadowPipeline direction(mesh, { side, 3.0 * side, 2.0 * side, 0.0 }, kind);
+      const auto expected = shadowtest::chainOf(direction.silhouette());
+      const auto difference = compareChains(
+        expected, shadowtest::chainOf(far.silhouette()), shadowtest::tolerance::SamePoint);
+      EXPECT_GT(difference.Expected, 10u);
+      EXPECT_TRUE(difference.none()) << difference.Message;
+    }
+  }
+}
+
 TEST(SmoothLightSilhouette, BadCellsAreLeftOutAndCounted)
 {
   const shadowtest::Mesh spoilt = shadowtest::withBadPoints(shadowtest::sphere(8, 12), 2, 3);

@@ -306,11 +306,13 @@ bool readLight(const double position[4], shadow::Light& light)
     light = { point, 1.0 };
     return true;
   }
-  // By a power of two, so that ties stay ties.
+  // By a power of two, so that ties stay ties. A point that is too far for doubles lies opposite to
+  // its first three components where w is below zero.
   int exponent;
   std::frexp(largest, &exponent);
-  light.position = shadow::Vec3(std::ldexp(place.x, -exponent), std::ldexp(place.y, -exponent),
-    std::ldexp(place.z, -exponent));
+  const shadow::Vec3 toward = position[3] < 0.0 ? -place : place;
+  light.position = shadow::Vec3(std::ldexp(toward.x, -exponent),
+    std::ldexp(toward.y, -exponent), std::ldexp(toward.z, -exponent));
   light.w = 0.0;
   return light.position != shadow::Vec3(0.0);
 }
