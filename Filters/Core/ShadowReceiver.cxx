@@ -41,9 +41,10 @@ double ShadowReceiver::Meeting::most() const
   return *std::max_element(this->nearness.begin(), this->nearness.end());
 }
 
-/// With the light in l a point's ray is l + T (p - l), which meets the face's plane at 1/T =
-/// n.(p - l) / (offset - n.l): beyond the point for 1/T < 1. With a direction the ray is p + t e,
-/// which meets it at -t = (n.p - offset) / n.e: beyond the point for -t < 0.
+/// With the light in l a point's ray is l + T (p - l), which meets the face's plane at 1/T - 1 =
+/// (n.p - offset) / (offset - n.l). With a direction the ray is p + t e, which meets it at -t =
+/// (n.p - offset) / n.e. Either is below zero beyond the point, and as exact as n.p - offset is,
+/// however far the light: 1/T itself would be 1 for all that is seen from afar.
 ShadowReceiver::Meeting ShadowReceiver::meet(const Face& face, const CubicCurve& curve) const
 {
   Meeting meeting;
@@ -53,9 +54,8 @@ ShadowReceiver::Meeting ShadowReceiver::meet(const Face& face, const CubicCurve&
     const double speed = -glm::dot(face.normal, this->TheLight.toward(curve.b[i]));
     meeting.leaves = meeting.leaves && speed > 0.0;
     meeting.enters = meeting.enters && speed < 0.0;
-    meeting.nearness[i] = this->TheLight.isDirectional()
-      ? (glm::dot(face.normal, curve.b[i]) - face.offset) / speed
-      : speed / ahead;
+    meeting.nearness[i] = (glm::dot(face.normal, curve.b[i]) - face.offset) /
+      (this->TheLight.isDirectional() ? speed : ahead);
   }
   return meeting;
 }
@@ -63,7 +63,6 @@ ShadowReceiver::Meeting ShadowReceiver::meet(const Face& face, const CubicCurve&
 double ShadowReceiver::deviationBound(const CubicCurve& curve) const
 {
   const bool directional = this->TheLight.isDirectional();
-  const double atThePoint = directional ? 0.0 : 1.0;
   std::array<Meeting, 6> meetings;
   double soonest = -infinite; // the ray that stays in longest has left by then
   for (std::size_t f = 0; f < 6; ++f)
@@ -74,14 +73,14 @@ double ShadowReceiver::deviationBound(const CubicCurve& curve) const
       !directional && !(glm::dot(face.normal, this->TheLight.position) < face.offset);
     if (meetings[f].leaves)
     {
-      if (isBehind || meetings[f].least() > atThePoint)
+      if (isBehind || meetings[f].least() > 0.0)
       {
         return 0.0;
       }
       soonest = std::max(soonest, meetings[f].least());
     }
     // From a point outside of a face all that comes in comes through its plane, and what turns away
-    // from it (at a nearness below zero) never does. From a point in the plane it is in at once.
+    // from it (at a nearness below -1) never does. From a point in the plane it is in at once.
     const bool isOutside =
       !directional && glm::dot(face.normal, this->TheLight.position) > face.offset;
     meetings[f].enters = directional ? meetings[f].enters : isOutside;
@@ -129,21 +128,17 @@ double ShadowReceiver::deviationOn(const Face& face, const CubicCurve& curve) co
 {
   std::array<Vec3, 4> shadow;
   std::array<double, 4> weight;
-  const Vec3& light = this->TheLight.position;
   for (std::size_t i = 0; i < 4; ++i)
   {
     const Vec3 ray = -this->TheLight.toward(curve.b[i]);
     const double speed = glm::dot(face.normal, ray);
     weight[i] = speed;
-    shadow[i] = this->TheLight.isDirectional()
-      ? curve.b[i] + ray * ((face.offset - glm::dot(face.normal, curve.b[i])) / speed)
-      : light + ray * ((face.offset - glm::dot(face.normal, light)) / speed);
+    shadow[i] = curve.b[i] + ray * ((face.offset - glm::dot(face.normal, curve.b[i])) / speed);
   }
-  const double inner = std::max(weight[1], weight[2]);
-  const double outer = std::min(weight[0], weight[3]);
+  const double ratio = std::max(weight[1], weight[2]) / std::min(weight[0], weight[3]);
   const double farthest = std::fmax(distanceToSegment(shadow[1], shadow[0], shadow[3]),
     distanceToSegment(shadow[2], shadow[0], shadow[3]));
-  const double bound = farthest * (3.0 * inner / (outer + 3.0 * inner));
+  const double bound = farthest * (3.0 * ratio / (1.0 + 3.0 * ratio));
   return std::isnan(bound) ? infinite : bound;
 }
 }

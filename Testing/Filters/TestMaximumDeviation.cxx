@@ -175,3 +175,30 @@ TEST(MaximumDeviation, IsATightBoundWithinTheTolerance)
     }
   }
 }
+
+// Light from ever farther away is light from a direction.
+TEST(MaximumDeviation, OnReceiversOfFarLightsIsThatOfTheDirection)
+{
+  const shadowtest::Mesh mesh = shadowtest::sphere(16, 24);
+  const shadowtest::Mesh ground =
+    shadowtest::moved(shadowtest::ground(0.0, 8.0), 1.0, { 0.0, 0.0, -2.0 });
+  const LightPosition direction{ 0.3, 0.5, 1.0, 0.0 };
+  ShadowPipeline pipeline(mesh, direction, vtkSmoothLightSilhouette::SMOOTH);
+  pipeline.Silhouette->SetInputData(1, ground);
+  pipeline.Silhouette->SetToleranceModeToReceiver();
+  const vtkIdType points = pipeline.silhouette()->GetNumberOfPoints();
+  const double bound =
+    shadowtest::fieldValue(pipeline.silhouette(), "MaximumShadowDeviation");
+  ASSERT_GT(points, 200);
+  ASSERT_GT(bound, 0.0);
+  for (double distance = 1e6; distance < 1e300; distance *= 100.0)
+  {
+    pipeline.setLight(
+      { distance * direction[0], distance * direction[1], distance * direction[2], 1.0 });
+    EXPECT_EQ(pipeline.silhouette()->GetNumberOfPoints(), points) << distance;
+    // The rays' directions differ by what the mesh's size is of the distance.
+    EXPECT_NEAR(shadowtest::fieldValue(pipeline.silhouette(), "MaximumShadowDeviation"), bound,
+      10.0 / distance + shadowtest::tolerance::ReportedBound * bound)
+      << distance;
+  }
+}

@@ -287,6 +287,25 @@ TEST(SmoothLightSilhouette, BadLightsAreErrorsThatNameTheValue)
   }
 }
 
+// On the side that the sign of w says.
+TEST(SmoothLightSilhouette, PointsTooFarForDoublesAreDirections)
+{
+  const shadowtest::Mesh mesh = shadowtest::ellipsoid(8, 12);
+  for (const double side : { 1.0, -1.0 })
+  {
+    for (const int kind : shadowtest::AllKinds)
+    {
+      ShadowPipeline far(mesh, { 1e305, 3e305, 2e305, side * 1e-10 }, kind);
+      ShadowPipeline direction(mesh, { side, 3.0 * side, 2.0 * side, 0.0 }, kind);
+      const auto expected = shadowtest::chainOf(direction.silhouette());
+      const auto difference = compareChains(
+        expected, shadowtest::chainOf(far.silhouette()), shadowtest::tolerance::SamePoint);
+      EXPECT_GT(difference.Expected, 10u);
+      EXPECT_TRUE(difference.none()) << difference.Message;
+    }
+  }
+}
+
 TEST(SmoothLightSilhouette, BadCellsAreLeftOutAndCounted)
 {
   const shadowtest::Mesh spoilt = shadowtest::withBadPoints(shadowtest::sphere(8, 12), 2, 3);
@@ -298,6 +317,22 @@ TEST(SmoothLightSilhouette, BadCellsAreLeftOutAndCounted)
     EXPECT_GT(report.Segments, 10);
     EXPECT_GE(shadowtest::fieldValue(pipeline.silhouette(), "NonFiniteCells"), 4.0);
     EXPECT_GT(shadowtest::fieldValue(pipeline.silhouette(), "BoundaryEdges"), 4.0);
+  }
+}
+
+TEST(SmoothLightSilhouette, CellsOverNoPointsAreCounted)
+{
+  vtkNew<vtkPolyData> pointless;
+  vtkNew<vtkPolyData> emptied;
+  vtkNew<vtkPoints> none;
+  emptied->SetPoints(none);
+  for (vtkPolyData* mesh : { pointless.Get(), emptied.Get() })
+  {
+    mesh->SetPolys(shadowtest::weldedBox()->GetPolys());
+    ShadowPipeline pipeline(mesh, Lights[3], vtkSmoothLightSilhouette::SMOOTH);
+    EXPECT_EQ(shadowtest::fieldValue(pipeline.silhouette(), "NonFiniteCells"), 12.0);
+    EXPECT_EQ(pipeline.silhouette()->GetNumberOfCells(), 0);
+    EXPECT_EQ(pipeline.volume()->GetNumberOfCells(), 0);
   }
 }
 

@@ -55,7 +55,7 @@ struct WeightedCell
   vtkIdType Multiplicity;
 };
 
-// Cell data is ordered verts, lines, polys; `offset` is the cell id of the array's first.
+// Cell data is ordered verts, lines, polys, strips; `offset` is the cell id of the array's first.
 std::vector<WeightedCell> weightedCells(vtkPolyData* mesh, vtkCellArray* cells, vtkIdType offset)
 {
   vtkDataArray* multiplicity = mesh->GetCellData()->GetArray("Multiplicity");
@@ -74,9 +74,22 @@ std::vector<WeightedCell> weightedCells(vtkPolyData* mesh, vtkCellArray* cells, 
   return result;
 }
 
+// Strips are taken apart: every other triangle of one is wound the other way.
 std::vector<WeightedCell> weightedPolygons(vtkPolyData* mesh)
 {
-  return weightedCells(mesh, mesh->GetPolys(), mesh->GetNumberOfVerts() + mesh->GetNumberOfLines());
+  const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  std::vector<WeightedCell> polygons = weightedCells(mesh, mesh->GetPolys(), first);
+  for (const WeightedCell& strip :
+    weightedCells(mesh, mesh->GetStrips(), first + mesh->GetNumberOfPolys()))
+  {
+    for (std::size_t i = 2; i < strip.Ids.size(); ++i)
+    {
+      const std::size_t odd = i % 2;
+      polygons.push_back({ { strip.Ids[i - 2 + odd], strip.Ids[i - 1 - odd], strip.Ids[i] },
+        strip.Multiplicity });
+    }
+  }
+  return polygons;
 }
 
 vtkIdType openEdges(vtkPolyData* mesh, const std::vector<vtkIdType>& point)

@@ -267,6 +267,43 @@ TEST(ChainChecks, MultiplicityCounts)
   EXPECT_EQ(openEdges(mesh), 0);
 }
 
+TEST(ChainChecks, StripsAreTakenApart)
+{
+  // A box whose four walls are one strip.
+  const vtkIdType walls[] = { 0, 4, 1, 5, 2, 6, 3, 7, 0, 4 };
+  const vtkIdType caps[2][4] = { { 0, 1, 2, 3 }, { 7, 6, 5, 4 } };
+  vtkNew<vtkPoints> points;
+  for (const double z : { -1.0, 1.0 })
+  {
+    points->InsertNextPoint(-1.0, -1.0, z);
+    points->InsertNextPoint(-1.0, 1.0, z);
+    points->InsertNextPoint(1.0, 1.0, z);
+    points->InsertNextPoint(1.0, -1.0, z);
+  }
+  const auto solid = Mesh::New();
+  solid->SetPoints(points);
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell(4, caps[0]);
+  polygons->InsertNextCell(4, caps[1]);
+  solid->SetPolys(polygons);
+  EXPECT_EQ(openEdges(solid), 8);
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell(10, walls);
+  solid->SetStrips(strips);
+  EXPECT_EQ(openEdges(solid), 0);
+  EXPECT_NEAR(enclosedVolume(solid), 8.0, tolerance::Volume);
+
+  // Cell data of strips stand behind those of polygons.
+  vtkNew<vtkDoubleArray> multiplicity;
+  multiplicity->SetName("Multiplicity");
+  for (const double m : { 2.0, 2.0, 1.0 })
+  {
+    multiplicity->InsertNextValue(m);
+  }
+  solid->GetCellData()->AddArray(multiplicity);
+  EXPECT_EQ(openEdges(solid), 8);
+}
+
 TEST(ChainChecks, LoopsAreJudged)
 {
   const std::vector<Vec3> square{ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };

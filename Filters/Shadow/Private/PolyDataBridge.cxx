@@ -252,11 +252,9 @@ BridgedMesh readMesh(vtkPolyData* input, bool mergePoints)
 {
   BridgedMesh result;
   shadow::TriangleMesh& mesh = result.mesh;
-  if (!input->GetPoints())
-  {
-    return result;
-  }
-  const std::vector<shadow::Vec3> allPoints = readVectors(input->GetPoints()->GetData());
+  // Cells over no points at all are counted as those with some that do not exist.
+  const std::vector<shadow::Vec3> allPoints =
+    input->GetPoints() ? readVectors(input->GetPoints()->GetData()) : std::vector<shadow::Vec3>();
   const std::vector<PointTriangle> triangles =
     TriangleReader(input, allPoints, result.defects).read();
   std::vector<shadow::Index> place(allPoints.size(), shadow::None);
@@ -352,11 +350,13 @@ bool readLight(const double position[4], shadow::Light& light)
     light = { point, 1.0 };
     return true;
   }
-  // By a power of two, so that ties stay ties.
+  // By a power of two, so that ties stay ties. A point that is too far for doubles lies opposite to
+  // its first three components where w is below zero.
   int exponent;
   std::frexp(largest, &exponent);
-  light.position = shadow::Vec3(std::ldexp(place.x, -exponent), std::ldexp(place.y, -exponent),
-    std::ldexp(place.z, -exponent));
+  const shadow::Vec3 toward = position[3] < 0.0 ? -place : place;
+  light.position = shadow::Vec3(std::ldexp(toward.x, -exponent),
+    std::ldexp(toward.y, -exponent), std::ldexp(toward.z, -exponent));
   light.w = 0.0;
   return light.position != shadow::Vec3(0.0);
 }
