@@ -58,12 +58,18 @@ bool isEverythingAsked()
   return value && std::string(value) == "1";
 }
 
+// A scan that has no triangles.
+const char* const PointCloud = "b9.ply";
+
 std::vector<RealMesh> meshesToTest()
 {
   std::vector<RealMesh> meshes;
   for (const std::string& name : cgalMeshNames())
   {
-    meshes.push_back({ name, static_cast<int>(meshes.size()) });
+    if (name != PointCloud)
+    {
+      meshes.push_back({ name, static_cast<int>(meshes.size()) });
+    }
   }
   return meshes;
 }
@@ -75,7 +81,7 @@ Mesh atTheOrigin(const std::string& name)
   double centre[3];
   mesh->GetCenter(centre);
   const double scale = 2.0 / mesh->GetLength();
-  return moved(mesh, scale, { -scale * centre[0], -scale * centre[1], -scale * centre[2] });
+  return moved(withoutNormals(mesh), scale, { -scale * centre[0], -scale * centre[1], -scale * centre[2] });
 }
 
 // A thousandth of the size above the middle of a triangle about halfway through the mesh.
@@ -163,6 +169,16 @@ std::string testName(const ::testing::TestParamInfo<RealMesh>& info)
   }
   return name;
 }
+}
+
+TEST(RealMeshesWithoutTriangles, CastNothing)
+{
+  const Mesh points = cgalMesh(PointCloud);
+  EXPECT_GT(points->GetNumberOfPoints(), 10000);
+  ShadowPipeline pipeline(points, { 0.0, 0.0, 1.0, 0.0 }, vtkSmoothLightSilhouette::SMOOTH);
+  EXPECT_EQ(pipeline.silhouette()->GetNumberOfLines(), 0);
+  EXPECT_EQ(pipeline.volume()->GetNumberOfPolys(), 0);
+  EXPECT_EQ(fieldValue(pipeline.volume(), "Closed"), 1.0);
 }
 
 TEST_P(RealMeshes, SilhouettesAndVolumesAreClosed)

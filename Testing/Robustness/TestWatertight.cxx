@@ -198,12 +198,6 @@ TEST(Watertight, LampsInsideLightNoPointOutside)
       for (const int kind : Kinds)
       {
         const bool discrete = kind == vtkSmoothLightSilhouette::DISCRETE;
-        if (!discrete && mesh.Name == "ring")
-        {
-          // Its hole is concave. There light of the other kinds grazes what rays do not pass, as
-          // the limits in the README have it.
-          continue;
-        }
         const PointCount count = leaks(mesh.Surface, lamp, kind, discrete ? 9000 : 3000);
         EXPECT_EQ(count.Wrong, 0) << mesh.Name << ", silhouette kind " << kind;
         add(sum, count);

@@ -4,9 +4,10 @@
 
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
+#include <vtkPLYReader.h>
 #include <vtkPoints.h>
 #include <vtkPolyDataNormals.h>
-#include <vtkPoints.h>
+#include <vtkSTLReader.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -53,15 +54,34 @@ vtkSmartPointer<vtkPolyData> bunny()
   return mesh;
 }
 
+namespace
+{
+template <class Reader>
+vtkSmartPointer<vtkPolyData> readWith(const std::string& path)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+}
+
 vtkSmartPointer<vtkPolyData> cgalMesh(const std::string& name)
 {
-  const std::filesystem::path path = std::filesystem::path(cgalFolder()) / (name + ".off");
+  std::filesystem::path path = std::filesystem::path(cgalFolder()) / name;
+  const bool isOff = path.extension() != ".ply" && path.extension() != ".stl";
+  if (isOff)
+  {
+    path += ".off";
+  }
   if (!std::filesystem::exists(path))
   {
     throw std::runtime_error("cgalMesh(\"" + name + "\"): there is no " + path.string() +
       "; install the package libcgal-demo and build again, or set SMOOTHSHADOW_TEST_CGAL");
   }
-  return readOff(path.string());
+  return isOff ? readOff(path.string())
+    : path.extension() == ".ply" ? readWith<vtkPLYReader>(path.string())
+                                 : readWith<vtkSTLReader>(path.string());
 }
 
 std::vector<std::string> cgalMeshNames()
@@ -70,9 +90,14 @@ std::vector<std::string> cgalMeshNames()
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator(cgalFolder(), none))
   {
-    if (entry.path().extension() == ".off")
+    const std::filesystem::path extension = entry.path().extension();
+    if (extension == ".off")
     {
       names.push_back(entry.path().stem().string());
+    }
+    else if (extension == ".ply" || extension == ".stl")
+    {
+      names.push_back(entry.path().filename().string());
     }
   }
   std::sort(names.begin(), names.end());
