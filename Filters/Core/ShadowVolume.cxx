@@ -49,7 +49,7 @@ public:
         !this->endsInOnePoint();
       asStrip ? this->addWallStrip(rim) : this->addWalls(rim);
     }
-    if (caps != Caps::None && !this->endsInOnePoint())
+    if (caps != Caps::None && this->Settings.farCap && !this->endsInOnePoint())
     {
       this->isInfinite() && lightIsOutside ? this->addFarFan(rims) : this->projectNearCap(nearEnd);
     }

@@ -54,6 +54,7 @@ struct VolumeSettings
 {
   Caps caps = Caps::Dark;
   ShadowEnd end;
+  bool farCap = true;      ///< closes the volume's far end
   bool wallStrips = false; ///< not to infinity in a direction, where walls have one point in common
 };
 

@@ -137,15 +137,15 @@ int vtkShadowVolumeExtruder::RequestData(
   const shadow::ShadowEnd end{ static_cast<shadow::Extent>(this->Extent),
     this->Length > 0.0 ? this->Length : 20.0 * caster.radius(), toVector(this->PlaneOrigin),
     toVector(this->PlaneNormal) };
-  const shadow::ShadowVolume volume =
-    shadow::extrude(caster, *chain, silhouette, { coreCaps(this->Caps), end, this->WallStrips });
+  const shadow::ShadowVolume volume = shadow::extrude(
+    caster, *chain, silhouette, { coreCaps(this->Caps), end, this->FarCap, this->WallStrips });
   if (volume.unreached > 0)
   {
     vtkErrorMacro(<< describeUnreached(volume.unreached, end));
     return 0;
   }
   writeVolume(volume, caster.centre(), end,
-    this->Caps != NONE && match == shadow::Match::Whole, vtkPolyData::GetData(outputVector));
+    this->Caps != NONE && this->FarCap && match == shadow::Match::Whole, vtkPolyData::GetData(outputVector));
   return 1;
 }
 
@@ -161,5 +161,6 @@ void vtkShadowVolumeExtruder::PrintSelf(ostream& os, vtkIndent indent)
      << this->PlaneOrigin[2] << ")\n";
   os << indent << "PlaneNormal: (" << this->PlaneNormal[0] << ", " << this->PlaneNormal[1] << ", "
      << this->PlaneNormal[2] << ")\n";
+  os << indent << "FarCap: " << (this->FarCap ? "on" : "off") << "\n";
   os << indent << "WallStrips: " << (this->WallStrips ? "on" : "off") << "\n";
 }

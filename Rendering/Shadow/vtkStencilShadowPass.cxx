@@ -8,28 +8,38 @@
 #include "ShadowCasters.h"
 #include "ShadowFramebuffer.h"
 #include "ShadowLights.h"
+#include "ShadowPlan.h"
 #include "VolumeCache.h"
 #include "VolumeCounter.h"
 
 #include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkCommand.h"
 #include "vtkFrameBufferObjectBase.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
+#include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPolyData.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
+#include "vtkIntArray.h"
 #include "vtkShaderProgram.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkDoubleArray.h"
 #include "vtkTextureUnitManager.h"
 #include "vtkTimeStamp.h"
+#include "vtkTimerLog.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
@@ -102,7 +112,18 @@ public:
    * with fewer bits than they may need, or nothing.
    */
   std::string DrawMasks(vtkRenderer* renderer, const std::vector<ShadowLight>& lights,
-    const VolumeCache::Quality& quality);
+    const VolumeCache::Quality& quality, const ShadowRules& rules);
+
+  struct PlannedVolume
+  {
+    CasterPlan Plan;
+    const VolumeBuffers* Buffers = nullptr;
+    double Milliseconds = 0.0;
+  };
+  PlannedVolume PlanVolume(vtkRenderer* renderer, const ShadowPlan& plan, const ShadowLight& light,
+    const ShadowCaster& caster, const VolumeCache::Quality& quality);
+  void CountVolume(const PlannedVolume& volume, const ShadowLight& light,
+    const ShadowCaster& caster, const Matrix4& worldToClip);
 
   LightSwitches Switches;
   vtkNew<vtkRenderStepsPass> DefaultDelegate;
@@ -113,6 +134,15 @@ public:
   ShadowFramebuffer Target;
   VolumeCounter Counter;
   VolumeCache Volumes;
+
+  struct PlanRow
+  {
+    std::size_t Light;
+    std::size_t Caster;
+    CasterPlan Plan;
+    double Milliseconds;
+  };
+  std::vector<PlanRow> Plan;
 
   // A light's place is its mask's number.
   std::vector<vtkWeakPointer<vtkLight>> MaskedLights;
@@ -151,6 +181,62 @@ std::array<int, 2> FindSize(const vtkRenderState* state)
   return size;
 }
 
+/**
+ * Bounds of all that a shadow may fall on; invalid if something has none.
+ */
+std::array<double, 6> FindReceiverBounds(vtkRenderer* renderer)
+{
+  vtkBoundingBox box;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator iterator;
+  props->InitTraversal(iterator);
+  bool everythingIsBounded = true;
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    double* bounds = prop->GetVisibility() ? prop->GetBounds() : nullptr;
+    if (bounds && prop->GetUseBounds() && vtkMath::AreBoundsInitialized(bounds))
+    {
+      box.AddBounds(bounds);
+    }
+    else if (bounds && !prop->GetUseBounds())
+    {
+      everythingIsBounded = false;
+    }
+  }
+  std::array<double, 6> result{ 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  if (everythingIsBounded && box.IsValid())
+  {
+    box.GetBounds(result.data());
+  }
+  return result;
+}
+
+/**
+ * Bounds of a mesh with room for a smooth contour, which may leave them.
+ */
+std::array<double, 6> RoomyBounds(vtkPolyData* mesh)
+{
+  constexpr double room = 0.1;
+  std::array<double, 6> bounds;
+  mesh->GetBounds(bounds.data());
+  const double margin = room * mesh->GetLength();
+  for (std::size_t i = 0; i < 6; ++i)
+  {
+    bounds[i] += i % 2 == 0 ? -margin : margin;
+  }
+  return bounds;
+}
+
+/**
+ * A plane of the world in the mesh's coordinates.
+ */
+std::array<double, 4> MovePlane(const std::array<double, 4>& plane, const Matrix4& toWorld)
+{
+  std::array<double, 4> moved;
+  vtkMatrix4x4::MultiplyPoint(Transposed(toWorld).data(), plane.data(), moved.data());
+  return moved;
+}
+
 Matrix4 FindWorldToClip(vtkRenderer* renderer)
 {
   auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
@@ -166,22 +252,27 @@ Matrix4 FindWorldToClip(vtkRenderer* renderer)
 }
 
 std::string vtkStencilShadowPass::Internals::DrawMasks(vtkRenderer* renderer,
-  const std::vector<ShadowLight>& lights, const VolumeCache::Quality& quality)
+  const std::vector<ShadowLight>& lights, const VolumeCache::Quality& quality,
+  const ShadowRules& rules)
 {
   vtkOpenGLState* state = this->Window->GetState();
   const Matrix4 worldToClip = FindWorldToClip(renderer);
+  const ShadowPlan plan({ worldToClip, this->Target.GetWidth(), this->Target.GetHeight() },
+    FindReceiverBounds(renderer), rules);
   const std::vector<ShadowCaster> casters = CollectShadowCasters(renderer);
   this->Volumes.BeginFrame();
+  this->Plan.clear();
   std::string error;
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    std::vector<const VolumeBuffers*> volumes;
+    std::vector<PlannedVolume> volumes;
     std::int64_t depth = 0;
-    for (const ShadowCaster& caster : casters)
+    for (std::size_t j = 0; j < casters.size(); ++j)
     {
-      volumes.push_back(&this->Volumes.Get(renderer, caster.Mesh,
-        caster.MoveIntoMesh(lights[i].Position), quality, this->Counter.GetAttribute()));
-      depth += volumes.back()->GetGreatestDepth();
+      volumes.push_back(this->PlanVolume(renderer, plan, lights[i], casters[j], quality));
+      const PlannedVolume& planned = volumes.back();
+      depth += planned.Buffers ? planned.Buffers->GetGreatestDepth() : 0;
+      this->Plan.push_back({ i, j, planned.Plan, planned.Milliseconds });
     }
     const auto mask = static_cast<int>(i);
     this->Target.BeginMask(state, mask);
@@ -189,10 +280,11 @@ std::string vtkStencilShadowPass::Internals::DrawMasks(vtkRenderer* renderer,
       this->Target.BeginCounts(state, error);
     inFloats ? this->Counter.BeginCountingInFloats(state)
              : this->Counter.BeginCountingInStencil(state);
-    for (std::size_t caster = 0; caster < casters.size(); ++caster)
+    for (std::size_t j = 0; j < casters.size(); ++j)
     {
-      this->Counter.Count(*volumes[caster], worldToClip * casters[caster].ToWorld);
+      this->CountVolume(volumes[j], lights[i], casters[j], worldToClip);
     }
+    state->vtkglDisable(GL_SCISSOR_TEST);
     this->Target.OpenMask(state, mask);
     inFloats
       ? this->Counter.WriteMaskOfFloats(state, this->Target.GetCounts(), this->TextureUnit)
@@ -200,6 +292,54 @@ std::string vtkStencilShadowPass::Internals::DrawMasks(vtkRenderer* renderer,
   }
   this->Volumes.EndFrame(renderer);
   return error;
+}
+
+vtkStencilShadowPass::Internals::PlannedVolume vtkStencilShadowPass::Internals::PlanVolume(
+  vtkRenderer* renderer, const ShadowPlan& plan, const ShadowLight& light,
+  const ShadowCaster& caster, const VolumeCache::Quality& quality)
+{
+  PlannedVolume planned;
+  if (!plan.IsSeen(light.Position, CornersOf(RoomyBounds(caster.Mesh), caster.ToWorld)))
+  {
+    planned.Plan.Skipped = true;
+    planned.Plan.Decision = "skip";
+    planned.Plan.Reason = "its shadow does not come into view";
+    return planned;
+  }
+  const int made = this->Volumes.GetNumberMade();
+  const double start = vtkTimerLog::GetUniversalTime();
+  const VolumeBuffers& buffers = this->Volumes.Get(renderer, caster.Mesh,
+    caster.MoveIntoMesh(light.Position), quality, this->Counter.GetAttribute());
+  planned.Milliseconds = 1e3 * (vtkTimerLog::GetUniversalTime() - start);
+  if (buffers.IsEmpty())
+  {
+    planned.Plan.Skipped = true;
+    planned.Plan.Decision = "skip";
+    planned.Plan.Reason = "it has no volume";
+    return planned;
+  }
+  planned.Buffers = &buffers;
+  planned.Plan = plan.Decide(light.Position, CornersOf(buffers.GetBounds(), caster.ToWorld));
+  planned.Plan.Decision +=
+    this->Volumes.GetNumberMade() == made ? ", volume of before" : ", new volume";
+  return planned;
+}
+
+void vtkStencilShadowPass::Internals::CountVolume(const PlannedVolume& volume,
+  const ShadowLight& light, const ShadowCaster& caster, const Matrix4& worldToClip)
+{
+  const std::array<int, 4>& scissor = volume.Plan.Scissor;
+  if (!volume.Buffers || scissor[2] <= 0 || scissor[3] <= 0)
+  {
+    return;
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(scissor[0], scissor[1], scissor[2], scissor[3]);
+  this->Counter.Count(state, *volume.Buffers,
+    { worldToClip * caster.ToWorld, caster.MoveIntoMesh(light.Position),
+      MovePlane(volume.Plan.End, caster.ToWorld) },
+    volume.Plan.ZPass);
 }
 
 vtkStencilShadowPass::vtkStencilShadowPass()
@@ -228,6 +368,11 @@ void vtkStencilShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "Kind: " << kinds[this->Kind] << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  static const char* const countings[] = { "Automatic", "Z-pass", "Z-fail" };
+  os << indent << "Counting: " << countings[this->Counting] << "\n";
+  os << indent << "SkipUnseenCasters: " << (this->SkipUnseenCasters ? "on" : "off") << "\n";
+  os << indent << "FiniteVolumes: " << (this->FiniteVolumes ? "on" : "off") << "\n";
+  os << indent << "Scissor: " << (this->Scissor ? "on" : "off") << "\n";
   os << indent << "Masked lights in the last frame: " << this->Internal->MaskedLights.size()
      << "\n";
 }
@@ -316,7 +461,9 @@ bool vtkStencilShadowPass::MakeMasks(const vtkRenderState* state)
   }
 
   const std::string tooFewBits =
-    internal.DrawMasks(renderer, lights, { this->Kind, this->Tolerance });
+    internal.DrawMasks(renderer, lights, { this->Kind, this->Tolerance },
+      { static_cast<CountingMethod>(this->Counting), this->SkipUnseenCasters, this->FiniteVolumes,
+        this->Scissor });
   if (!tooFewBits.empty())
   {
     this->WarnOnce("256 shadow volumes around a point count as none, as floats cannot be drawn: " +
@@ -366,6 +513,35 @@ vtkImageData* vtkStencilShadowPass::GetMask(vtkLight* light)
     image->Register(nullptr);
   }
   return image;
+}
+
+vtkTable* vtkStencilShadowPass::GetPlan()
+{
+  vtkNew<vtkIntArray> lights;
+  lights->SetName("Light");
+  vtkNew<vtkIntArray> casters;
+  casters->SetName("Caster");
+  vtkNew<vtkStringArray> decisions;
+  decisions->SetName("Decision");
+  vtkNew<vtkStringArray> reasons;
+  reasons->SetName("Reason");
+  vtkNew<vtkDoubleArray> milliseconds;
+  milliseconds->SetName("Milliseconds");
+  for (const Internals::PlanRow& row : this->Internal->Plan)
+  {
+    lights->InsertNextValue(static_cast<int>(row.Light));
+    casters->InsertNextValue(static_cast<int>(row.Caster));
+    decisions->InsertNextValue(row.Plan.Decision);
+    reasons->InsertNextValue(row.Plan.Reason);
+    milliseconds->InsertNextValue(row.Milliseconds);
+  }
+  vtkTable* table = vtkTable::New();
+  table->AddColumn(lights);
+  table->AddColumn(casters);
+  table->AddColumn(decisions);
+  table->AddColumn(reasons);
+  table->AddColumn(milliseconds);
+  return table;
 }
 
 int vtkStencilShadowPass::GetNumberOfVolumesMade()

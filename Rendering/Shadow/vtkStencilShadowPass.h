@@ -51,6 +51,7 @@
 class vtkImageData;
 class vtkInformationIntegerKey;
 class vtkLight;
+class vtkTable;
 
 class VTKRENDERINGSHADOW_EXPORT vtkStencilShadowPass : public vtkOpenGLRenderPass
 {
@@ -93,6 +94,63 @@ public:
   vtkSetClampMacro(Tolerance, double, 1e-12, 1.0);
   vtkGetMacro(Tolerance, double);
   ///@}
+
+  enum CountingMethods
+  {
+    AUTOMATIC = 0,
+    Z_PASS = 1,
+    Z_FAIL = 2
+  };
+
+  ///@{
+  /**
+   * How volumes are counted. Z_FAIL, from the surface to infinity, is right always. Z_PASS, from the
+   * eye to the surface, draws less, but is wrong where the eye is in shadow or the near plane cuts a
+   * volume: it is there for comparison. AUTOMATIC (the default) takes z-pass for each caster of which
+   * nothing is between the light and the part of the near plane that is seen, else z-fail.
+   */
+  vtkSetClampMacro(Counting, int, AUTOMATIC, Z_FAIL);
+  vtkGetMacro(Counting, int);
+  void SetCountingToAutomatic() { this->SetCounting(AUTOMATIC); }
+  void SetCountingToZPass() { this->SetCounting(Z_PASS); }
+  void SetCountingToZFail() { this->SetCounting(Z_FAIL); }
+  ///@}
+
+  ///@{
+  /**
+   * Rules that save time and leave the picture as it is, all on by default. Casters whose shadow does
+   * not come into view are left out.
+   */
+  vtkSetMacro(SkipUnseenCasters, bool);
+  vtkGetMacro(SkipUnseenCasters, bool);
+  vtkBooleanMacro(SkipUnseenCasters, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Volumes end behind the bounds of all visible props, as far as all of their rays come there,
+   * instead of at infinity. A visible prop with UseBounds off keeps all of them infinite.
+   */
+  vtkSetMacro(FiniteVolumes, bool);
+  vtkGetMacro(FiniteVolumes, bool);
+  vtkBooleanMacro(FiniteVolumes, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Volumes are drawn within their bounds on the screen.
+   */
+  vtkSetMacro(Scissor, bool);
+  vtkGetMacro(Scissor, bool);
+  vtkBooleanMacro(Scissor, bool);
+  ///@}
+
+  /**
+   * What was done in the last frame for each light and caster, a row each: `Light` (number of the mask),
+   * `Caster` (number among those that cast, both from 0), `Decision`, `Reason` and `Milliseconds` that
+   * its volume took to make. New table, to be deleted by the caller.
+   */
+  VTK_NEWINSTANCE vtkTable* GetPlan();
 
   ///@{
   /**
@@ -161,6 +219,10 @@ private:
   vtkRenderPass* DelegatePass = nullptr;
   int Kind = SMOOTH;
   double Tolerance = 1e-4;
+  int Counting = AUTOMATIC;
+  bool SkipUnseenCasters = true;
+  bool FiniteVolumes = true;
+  bool Scissor = true;
 
   class Internals;
   std::unique_ptr<Internals> Internal;

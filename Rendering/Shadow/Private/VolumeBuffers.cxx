@@ -2,11 +2,12 @@
 
 #include "OpenGLFunctions.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -14,42 +15,10 @@
 #include "vtkShadowVolumeExtruder.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace
 {
-/**
- * The middle of the finite points' bounds.
- */
-std::array<double, 3> FindMiddle(const double* points, vtkIdType count)
-{
-  std::array<double, 3> lower;
-  std::array<double, 3> upper;
-  lower.fill(std::numeric_limits<double>::max());
-  upper.fill(std::numeric_limits<double>::lowest());
-  bool any = false;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const double* point = points + 4 * i;
-    if (point[3] != 0.0)
-    {
-      any = true;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        lower[axis] = std::min(lower[axis], point[axis] / point[3]);
-        upper[axis] = std::max(upper[axis], point[axis] / point[3]);
-      }
-    }
-  }
-  if (!any)
-  {
-    return {};
-  }
-  return { 0.5 * (lower[0] + upper[0]), 0.5 * (lower[1] + upper[1]), 0.5 * (lower[2] + upper[2]) };
-}
-
 /**
  * The array as ints, copied only if it is of another type.
  */
@@ -65,35 +34,64 @@ vtkSmartPointer<vtkIntArray> AsInts(vtkDataArray* array)
 }
 }
 
+void VolumeBuffers::PlaceVertices(vtkPolyData* volume, std::vector<float>& vertices)
+{
+  auto* near = vtkArrayDownCast<vtkIdTypeArray>(volume->GetPointData()->GetArray("NearPoints"));
+  const vtkIdType count = volume->GetNumberOfPoints();
+  vtkBoundingBox bounds;
+  double place[3];
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (near->GetValue(i) < 0)
+    {
+      volume->GetPoint(i, place);
+      bounds.AddPoint(place);
+    }
+  }
+  bounds.GetBounds(this->Bounds.data());
+  bounds.GetCenter(this->Origin.data());
+  this->Scale = 0.5 * bounds.GetMaxLength();
+  if (!(this->Scale > 0.0))
+  {
+    this->Scale = 1.0;
+  }
+  vertices.resize(4 * static_cast<std::size_t>(count) + 4, 0.0f);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const vtkIdType origin = near->GetValue(i);
+    volume->GetPoint(origin < 0 ? i : origin, place);
+    float* vertex = &vertices[4 * static_cast<std::size_t>(i)];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      vertex[axis] = static_cast<float>((place[axis] - this->Origin[axis]) / this->Scale);
+    }
+    vertex[3] = origin < 0 ? 0.0f : 1.0f;
+  }
+  // The apex of the far end: where the shadow of the middle ends.
+  vertices.back() = 1.0f;
+}
+
 void VolumeBuffers::Upload(vtkPolyData* volume, unsigned int attribute)
 {
   this->Release();
-  auto* homogeneous =
-    vtkArrayDownCast<vtkDoubleArray>(volume->GetPointData()->GetArray("Homogeneous"));
   const auto parts = AsInts(volume->GetCellData()->GetArray("Part"));
   const auto multiplicities = AsInts(volume->GetCellData()->GetArray("Multiplicity"));
-  if (!homogeneous || homogeneous->GetNumberOfTuples() == 0 || !parts || !multiplicities)
+  if (volume->GetNumberOfPolys() == 0 || !parts || !multiplicities)
   {
     return;
   }
-
   this->GreatestDepth =
     static_cast<int>(volume->GetFieldData()->GetArray("GreatestDepth")->GetComponent(0, 0));
-  const vtkIdType pointCount = homogeneous->GetNumberOfTuples();
-  const double* points = homogeneous->GetPointer(0);
-  this->Origin = FindMiddle(points, pointCount);
-  std::vector<float> vertices(4 * static_cast<std::size_t>(pointCount));
-  for (std::size_t i = 0; i < vertices.size(); i += 4)
-  {
-    const double w = points[i + 3];
-    vertices[i] = static_cast<float>(points[i] - w * this->Origin[0]);
-    vertices[i + 1] = static_cast<float>(points[i + 1] - w * this->Origin[1]);
-    vertices[i + 2] = static_cast<float>(points[i + 2] - w * this->Origin[2]);
-    vertices[i + 3] = static_cast<float>(w);
-  }
+  std::vector<float> vertices;
+  this->PlaceVertices(volume, vertices);
+  const auto apex = static_cast<GLuint>(vertices.size() / 4 - 1);
 
   std::vector<GLuint> caps;
   std::vector<GLuint> sides;
+  std::vector<GLuint> far;
+  std::vector<GLuint> fan;
+  const auto isEnd = [&](vtkIdType point)
+  { return vertices[4 * static_cast<std::size_t>(point) + 3] != 0.0f; };
   vtkIdType cell = 0;
   auto triangles = vtk::TakeSmartPointer(volume->GetPolys()->NewIterator());
   for (triangles->GoToFirstCell(); !triangles->IsDoneWithTraversal(); triangles->GoToNextCell())
@@ -101,18 +99,32 @@ void VolumeBuffers::Upload(vtkPolyData* volume, unsigned int attribute)
     vtkIdType size;
     const vtkIdType* ids;
     triangles->GetCurrentCell(size, ids);
-    std::vector<GLuint>& part =
-      parts->GetValue(cell) == vtkShadowVolumeExtruder::CAP ? caps : sides;
-    for (int repeat = multiplicities->GetValue(cell); size == 3 && repeat > 0; --repeat)
+    const std::array<GLuint, 3> corners = { static_cast<GLuint>(ids[0]),
+      static_cast<GLuint>(ids[1]), static_cast<GLuint>(ids[2]) };
+    const int part = parts->GetValue(cell);
+    std::vector<GLuint>& indices = part == vtkShadowVolumeExtruder::CAP ? caps
+      : part == vtkShadowVolumeExtruder::FAR_CAP                        ? far
+                                                                        : sides;
+    for (int repeat = multiplicities->GetValue(cell); repeat > 0; --repeat)
     {
-      part.insert(part.end(),
-        { static_cast<GLuint>(ids[0]), static_cast<GLuint>(ids[1]), static_cast<GLuint>(ids[2]) });
+      indices.insert(indices.end(), corners.begin(), corners.end());
+      // Walls are written as (q, p, p's end), (q, p's end, q's end).
+      if (part == vtkShadowVolumeExtruder::WALL && isEnd(ids[1]) && isEnd(ids[2]))
+      {
+        fan.insert(fan.end(), { apex, corners[2], corners[1] });
+      }
     }
     ++cell;
   }
+  if (far.empty())
+  {
+    far.swap(fan);
+  }
   this->CapIndices = static_cast<int>(caps.size());
   this->SideIndices = static_cast<int>(sides.size());
+  this->FarIndices = static_cast<int>(far.size());
   caps.insert(caps.end(), sides.begin(), sides.end());
+  caps.insert(caps.end(), far.begin(), far.end());
 
   glGenVertexArrays(1, &this->VertexArray);
   glGenBuffers(1, &this->Vertices);
@@ -142,6 +154,7 @@ void VolumeBuffers::Release()
   this->Indices = 0;
   this->CapIndices = 0;
   this->SideIndices = 0;
+  this->FarIndices = 0;
   this->GreatestDepth = 0;
 }
 

@@ -3,6 +3,26 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
+
+namespace
+{
+/**
+ * Whether a light is outside of a ball around the mesh, with room for a smooth contour.
+ */
+bool IsOutsideBall(vtkPolyData* mesh, const std::array<double, 4>& light)
+{
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  double squared = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double offset = light[axis] - 0.5 * light[3] * (bounds[2 * axis] + bounds[2 * axis + 1]);
+    squared += offset * offset;
+  }
+  return std::sqrt(squared) > 0.6 * light[3] * mesh->GetLength();
+}
+}
 
 const VolumeBuffers& VolumeCache::Get(vtkRenderer* renderer, vtkPolyData* mesh,
   const std::array<double, 4>& light, const Quality& quality, unsigned int attribute)
@@ -27,6 +47,9 @@ const VolumeBuffers& VolumeCache::Get(vtkRenderer* renderer, vtkPolyData* mesh,
   caster.Silhouette->SetTolerance(quality.Tolerance);
   caster.Extruder->SetInputData(mesh);
   caster.Extruder->SetSilhouetteConnection(caster.Silhouette->GetOutputPort());
+  // Any length will do, as the vertex shader ends shadows; it gives each wall two points of its own.
+  caster.Extruder->SetExtentToLength();
+  caster.Extruder->SetFarCap(!IsOutsideBall(mesh, light));
   caster.Extruder->Update();
 
   ++this->NumberMade;

@@ -15,6 +15,7 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <cmath>
 
 bool VolumeCounter::Prepare(vtkOpenGLRenderWindow* window, std::string& error)
 {
@@ -28,7 +29,7 @@ bool VolumeCounter::Prepare(vtkOpenGLRenderWindow* window, std::string& error)
   this->CountsMaskProgram = cache->ReadyShaderProgram(ShadowMaskVS, ShadowCountsMaskFS, "");
   this->CountProgram = cache->ReadyShaderProgram(ShadowVolumeVS, ShadowVolumeFS, "");
   const GLint attribute = this->CountProgram
-    ? glGetAttribLocation(static_cast<GLuint>(this->CountProgram->GetHandle()), "homogeneous")
+    ? glGetAttribLocation(static_cast<GLuint>(this->CountProgram->GetHandle()), "vertex")
     : -1;
   if (!this->MaskProgram || !this->CountsMaskProgram || attribute < 0)
   {
@@ -64,47 +65,112 @@ void VolumeCounter::BeginCounting(vtkOpenGLState* state)
 void VolumeCounter::BeginCountingInStencil(vtkOpenGLState* state)
 {
   this->BeginCounting(state);
+  this->InFloats = false;
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   state->vtkglDisable(GL_BLEND);
-  state->vtkglDepthFunc(GL_LESS);
   state->vtkglEnable(GL_STENCIL_TEST);
   state->vtkglStencilMask(~0u);
   state->vtkglStencilFunc(GL_ALWAYS, 0, ~0u);
-  state->vtkglStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
-  state->vtkglStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
 }
 
 void VolumeCounter::BeginCountingInFloats(vtkOpenGLState* state)
 {
   this->BeginCounting(state);
+  this->InFloats = true;
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDisable(GL_STENCIL_TEST);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_FUNC_ADD);
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
-
-  // What fails the stencil's test passes this one.
-  state->vtkglDepthFunc(GL_GEQUAL);
 }
 
-void VolumeCounter::Count(const VolumeBuffers& volume, const Matrix4& toClip)
+void VolumeCounter::SetMethod(vtkOpenGLState* state, bool zPass)
 {
+  if (this->InFloats)
+  {
+    // What fails z-fail's test in the stencil passes this one.
+    state->vtkglDepthFunc(zPass ? GL_LESS : GL_GEQUAL);
+    this->CountProgram->SetUniformf("frontCounts", zPass ? 1.0f : -1.0f);
+    return;
+  }
+  state->vtkglDepthFunc(GL_LESS);
+  if (zPass)
+  {
+    state->vtkglStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
+    state->vtkglStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
+  }
+  else
+  {
+    state->vtkglStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
+    state->vtkglStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+  }
+}
+
+namespace
+{
+/**
+ * In the volume's coordinates, and no larger than 1, as the shader multiplies it.
+ */
+std::array<float, 4> ToVolume(const VolumeBuffers& volume, const std::array<double, 4>& light)
+{
+  std::array<double, 4> moved = light;
+  double largest = std::abs(light[3]);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    moved[axis] = (light[axis] - light[3] * volume.GetOrigin()[axis]) / volume.GetScale();
+    largest = std::max(largest, std::abs(moved[axis]));
+  }
+  std::array<float, 4> result;
+  std::transform(moved.begin(), moved.end(), result.begin(),
+    [&](double value) { return static_cast<float>(value / largest); });
+  return result;
+}
+
+std::array<float, 4> PlaneToVolume(const VolumeBuffers& volume, const std::array<double, 4>& plane)
+{
+  const std::array<double, 3>& origin = volume.GetOrigin();
+  const double height =
+    plane[0] * origin[0] + plane[1] * origin[1] + plane[2] * origin[2] + plane[3];
+  const double length = std::hypot(plane[0], plane[1], plane[2]);
+  if (!(length > 0.0))
+  {
+    return {};
+  }
+  return { static_cast<float>(plane[0] / length), static_cast<float>(plane[1] / length),
+    static_cast<float>(plane[2] / length),
+    static_cast<float>(height / (length * volume.GetScale())) };
+}
+}
+
+void VolumeCounter::Count(vtkOpenGLState* state, const VolumeBuffers& volume,
+  const Placement& placement, bool zPass)
+{
+  this->SetMethod(state, zPass);
+
   // Wound as OpenGL expects it unless some matrix on the way mirrors. View to clip coordinates
   // always changes handedness, so the usual sign is negative.
-  glFrontFace(vtkMatrix4x4::Determinant(toClip.data()) < 0.0 ? GL_CCW : GL_CW);
+  glFrontFace(vtkMatrix4x4::Determinant(placement.ToClip.data()) < 0.0 ? GL_CCW : GL_CW);
 
-  // The origin goes into the matrix while that is still in double.
-  const Matrix4 columns = Transposed(toClip * Translation(volume.GetOrigin()));
+  // Origin and scale go into the matrix while that is still in double.
+  Matrix4 toMesh = Translation(volume.GetOrigin());
+  toMesh[0] = toMesh[5] = toMesh[10] = volume.GetScale();
+  const Matrix4 columns = Transposed(placement.ToClip * toMesh);
   std::array<float, 16> uniform;
   std::transform(columns.begin(), columns.end(), uniform.begin(),
     [](double value) { return static_cast<float>(value); });
   this->CountProgram->SetUniformMatrix4x4("volumeToClip", uniform.data());
+  this->CountProgram->SetUniform4f("light", ToVolume(volume, placement.Light).data());
+  this->CountProgram->SetUniform4f("end", PlaneToVolume(volume, placement.End).data());
 
-  // A cap is as deep as the surface that it is part of. It must count as behind it: so a lit
-  // surface is not in its own cap's shadow, and a dark one always is in that of its dark cap.
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  volume.DrawCaps();
-  glDisable(GL_POLYGON_OFFSET_FILL);
+  if (!zPass)
+  {
+    // A cap is as deep as the surface that it is part of. It must count as behind it: so a lit
+    // surface is not in its own cap's shadow, and a dark one always is in that of its dark cap.
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    volume.DrawCaps();
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    volume.DrawFarEnd();
+  }
   volume.DrawSides();
 }
 

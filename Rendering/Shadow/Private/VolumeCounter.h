@@ -4,7 +4,9 @@
  * up to 2^24 and dearer.
  *
  * z-fail: behind each pixel's surface, back faces count 1 and front faces -1. What remains is how
- * many volumes the surface lies in, wherever the eye is.
+ * many volumes the surface lies in, wherever the eye is. z-pass: in front of it, front faces count 1
+ * and back faces -1, which is the same if the eye is in none and the near plane cuts none. Caps lie on
+ * surfaces or behind them, and so are not counted there, nor are far ends.
  */
 #ifndef VolumeCounter_h
 #define VolumeCounter_h
@@ -44,12 +46,24 @@ public:
   static constexpr int GreatestStencilDepth = 127;
 
   /**
-   * Sets the state for calls of Count, where `toClip` takes the mesh to clip coordinates: into the
-   * stencil of the framebuffer that is bound, or into its colour.
+   * Sets the state for calls of Count: into the stencil of the framebuffer that is bound, or into
+   * its colour.
    */
   void BeginCountingInStencil(vtkOpenGLState* state);
   void BeginCountingInFloats(vtkOpenGLState* state);
-  void Count(const VolumeBuffers& volume, const Matrix4& toClip);
+
+  /**
+   * `toClip` takes the mesh to clip coordinates; the light and the plane at which the volume ends (all
+   * zero: at infinity) are in the mesh's.
+   */
+  struct Placement
+  {
+    Matrix4 ToClip;
+    std::array<double, 4> Light;
+    std::array<double, 4> End;
+  };
+  void Count(vtkOpenGLState* state, const VolumeBuffers& volume, const Placement& placement,
+    bool zPass);
 
   /**
    * Draws 0 into the writable channels wherever the count is not 0, but not on the background.
@@ -60,6 +74,7 @@ public:
 
 private:
   void BeginCounting(vtkOpenGLState* state);
+  void SetMethod(vtkOpenGLState* state, bool zPass);
   void WriteMask(vtkOpenGLState* state, vtkShaderProgram* program);
 
   vtkOpenGLRenderWindow* Window = nullptr;
@@ -68,6 +83,7 @@ private:
   vtkShaderProgram* CountsMaskProgram = nullptr;
   unsigned int Attribute = 0;
   unsigned int EmptyVertexArray = 0;
+  bool InFloats = false;
 };
 
 #endif

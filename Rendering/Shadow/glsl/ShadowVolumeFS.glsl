@@ -1,8 +1,10 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// What a face counts, for a buffer of floats; with the stencil counting, colour is not written.
+// What a front face counts, for a buffer of floats; with the stencil counting, colour is not written.
+uniform float frontCounts;
+
 void main()
 {
-  gl_FragData[0] = vec4(gl_FrontFacing ? -1.0 : 1.0);
+  gl_FragData[0] = vec4(gl_FrontFacing ? frontCounts : -frontCounts);
 }

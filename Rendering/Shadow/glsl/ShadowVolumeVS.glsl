@@ -1,10 +1,26 @@
 //VTK::System::Dec
 
-// From the mesh's coordinates; w is 0 for vertices at infinity.
-in vec4 homogeneous;
+// In coordinates of the volume's own: a place, and 1 if the vertex is where the shadow of that place
+// ends.
+in vec4 vertex;
+
+// The light, homogeneous, and a plane behind all that receives, positive in front; all zero if shadows
+// end at infinity.
+uniform vec4 light;
+uniform vec4 end;
 uniform mat4 volumeToClip;
 
 void main()
 {
-  gl_Position = volumeToClip * homogeneous;
+  // Combined in clip coordinates, so that an end lies on the line through its place as that is drawn.
+  vec4 place = volumeToClip * vec4(vertex.xyz, 1.0);
+  if (vertex.w != 0.0)
+  {
+    vec4 ray = vec4(light.w * vertex.xyz - light.xyz, 0.0);
+    float toward = dot(end.xyz, ray.xyz);
+    float height = dot(end, vec4(vertex.xyz, 1.0));
+    vec4 infinite = volumeToClip * ray;
+    place = toward < 0.0 && height > 0.0 ? height * infinite - toward * place : infinite;
+  }
+  gl_Position = place;
 }
