@@ -1,5 +1,5 @@
-// Any bytes as a mesh and lights through vtkSmoothLightSilhouette: nothing crashes, what comes out is
-// closed, and what is said of the mesh is true.
+// Any bytes as a mesh and lights through vtkSmoothLightSilhouette: nothing crashes, what comes out
+// is closed, and what is said of the mesh is true.
 
 #include "ChainChecks.h"
 #include "FuzzCheck.h"
@@ -138,8 +138,8 @@ void draw(FuzzInput& input, vtkSmoothLightSilhouette* silhouette)
 }
 
 // Tolerances in world units are shares of the mesh: what is far below would be a million points. So
-// would shadows be that meet a receiver at a grazing angle. Bounds far around the mesh are met at none;
-// others are for the smallest meshes.
+// would shadows be that meet a receiver at a grazing angle. Bounds far around the mesh are met at
+// none; others are for the smallest meshes.
 void drawToleranceMode(
   FuzzInput& input, const CellCounts& counts, vtkSmoothLightSilhouette* silhouette)
 {
