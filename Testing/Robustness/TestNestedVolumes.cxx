@@ -127,8 +127,8 @@ TEST(NestedVolumes, OneClosedPartOf300Fins)
 // Lights whose counts need floats and others in one frame, at more than one size.
 TEST(NestedVolumes, LightsOfEitherCountTogether)
 {
-  const Mesh stack = merged(sheets(160, false));
-  const std::array<RayLight, 3> positions = { { { 4.0, 0.5, 0.05, 0.0 }, Lamp,
+  const Mesh stack = merged(sheets(140, false));
+  const std::array<RayLight, 3> positions = { { { 4.0, 0.5, 0.03, 0.0 }, Lamp,
     { 0.3, 0.2, 1.0, 0.0 } } };
   EXPECT_LT(greatestDepth(stack, positions[0]), 127);
   EXPECT_GT(greatestDepth(stack, positions[1]), 127);
