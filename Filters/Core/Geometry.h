@@ -77,6 +77,31 @@ inline bool isLit(double field)
   return field >= 0.0;
 }
 
+/// A box along the axes, with its faces.
+struct Box
+{
+  Vec3 low{ std::numeric_limits<double>::infinity() };
+  Vec3 high{ -std::numeric_limits<double>::infinity() };
+
+  void add(const Vec3& point)
+  {
+    this->low = glm::min(this->low, point);
+    this->high = glm::max(this->high, point);
+  }
+
+  void add(const Box& other)
+  {
+    this->low = glm::min(this->low, other.low);
+    this->high = glm::max(this->high, other.high);
+  }
+
+  bool meets(const Box& o) const
+  {
+    return this->low.x <= o.high.x && o.low.x <= this->high.x && this->low.y <= o.high.y &&
+      o.low.y <= this->high.y && this->low.z <= o.high.z && o.low.z <= this->high.z;
+  }
+};
+
 using Triangle = std::array<Index, 3>;
 
 /// A ball around a mesh: the centre of its bounds and half their diagonal.
@@ -110,14 +135,12 @@ struct TriangleMesh
     {
       return {};
     }
-    Vec3 low = this->points[0];
-    Vec3 high = low;
+    Box bounds;
     for (const Vec3& p : this->points)
     {
-      low = glm::min(low, p);
-      high = glm::max(high, p);
+      bounds.add(p);
     }
-    return { 0.5 * (low + high), 0.5 * glm::length(high - low) };
+    return { 0.5 * (bounds.low + bounds.high), 0.5 * glm::length(bounds.high - bounds.low) };
   }
 };
 

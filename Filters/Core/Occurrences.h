@@ -5,8 +5,8 @@
 
 namespace shadow
 {
-/// Counts places and keeps the least of them by x, then y, then z: which one that is does not
-/// depend on the order in which a mesh is kept or looked at. Places that are not finite count, and
+/// Counts places and keeps the least of them by x, then y, then z: which of those that are added that
+/// is does not depend on the order in which they are. Places that are not finite count, and
 /// are kept only while there is no other.
 struct Occurrences
 {
