@@ -27,6 +27,12 @@ inline bool isFinite(const Vec3& v)
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// By size.
+inline double largestComponent(const Vec3& v)
+{
+  return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
+}
+
 /// The vector of unit length, or zero where it has no direction: zero or no finite vector. Squares
 /// of very large and very small components leave the range of doubles, so these are scaled first.
 inline Vec3 unitOrZero(const Vec3& v)
@@ -36,7 +42,7 @@ inline Vec3 unitOrZero(const Vec3& v)
   {
     return v * (1.0 / std::sqrt(squared));
   }
-  const double largest = std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
+  const double largest = largestComponent(v);
   if (!isFinite(v) || !(largest > 0.0))
   {
     return Vec3(0.0);
@@ -129,17 +135,24 @@ struct TriangleMesh
     return glm::cross(this->points[t[1]] - origin, this->points[t[2]] - origin);
   }
 
+  /// Endless and inside out without points.
+  Box bounds() const
+  {
+    Box bounds;
+    for (const Vec3& p : this->points)
+    {
+      bounds.add(p);
+    }
+    return bounds;
+  }
+
   Ball ball() const
   {
     if (this->points.empty())
     {
       return {};
     }
-    Box bounds;
-    for (const Vec3& p : this->points)
-    {
-      bounds.add(p);
-    }
+    const Box bounds = this->bounds();
     return { 0.5 * (bounds.low + bounds.high), 0.5 * glm::length(bounds.high - bounds.low) };
   }
 };

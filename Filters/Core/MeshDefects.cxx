@@ -56,11 +56,6 @@ void addDuplicates(const TriangleMesh& mesh, MeshDefects& defects)
   }
 }
 
-double largestCoordinate(const Vec3& p)
-{
-  return std::max(std::fabs(p.x), std::max(std::fabs(p.y), std::fabs(p.z)));
-}
-
 struct Shape
 {
   bool isFlat;
@@ -77,8 +72,8 @@ Shape shapeOf(const TriangleMesh& mesh, Index triangle)
   {
     const Vec3& p = mesh.points[t[k]];
     sides[k] = mesh.points[t[next(k)]] - p;
-    size = std::max(size, largestCoordinate(sides[k]));
-    coordinate = std::max(coordinate, largestCoordinate(p));
+    size = std::max(size, largestComponent(sides[k]));
+    coordinate = std::max(coordinate, largestComponent(p));
   }
   // Of size 1, for areas and their squares leave the range of doubles long before lengths do.
   double longest = 0.0;
