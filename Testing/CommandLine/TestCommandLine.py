@@ -375,6 +375,8 @@ class Check(ToolTest):
         self.assertGreater(defects.pop("averaged normals"), 0)
         self.assertGreater(defects.pop("estimated normals"), BUNNY_TRIANGLES // 2)
         self.assertEqual(defects, {"slivers": 4, "pierced triangles": 3})
+        meanings = {d["defect"]: d["meaning"] for d in statistics["defects"]}
+        self.assertEqual(meanings["pierced triangles"], "well defined")
         fewer = self.statistics("check", BUNNY, "--no-intersections")
         self.assertFalse(fewer["intersectionsChecked"])
         self.assertNotIn("pierced triangles", self.defects(fewer))
@@ -385,7 +387,7 @@ class Check(ToolTest):
         self.assertEqual((statistics["shadow"], statistics["defects"]), ("exact", []))
         self.assertEqual(self.succeed("check", "sphere.vtp"),
                          f"sphere.vtp: {Meshes.SPHERE_TRIANGLES} triangles, 86 distinct points, 1 "
-                         "part, closed\n\nNo defects. Its shadow is exact.\n")
+                         "part, closed\n\nNo defects. Its discrete shadow is exact.\n")
 
     def test_open_mesh(self):
         mesh = self.open_tetrahedron()
@@ -400,6 +402,8 @@ class Check(ToolTest):
         self.assertIn("not closed, both sides of 3 triangles cast", " ".join(text.split()))
         self.assertRegex(text, r"\n +3  border edges +exact +at 0, 0, 0\.5\n")
         self.assertTrue(text.endswith("above.\n"), text)
+        self.assertRegex(text, r"\n +\d+  estimated normals  well defined\n")  # without a place
+        self.assertNotRegex(text, r" \n")
 
     def test_wrapped_to_100_columns(self):
         lines = self.succeed("check", self.open_tetrahedron()).splitlines()
