@@ -241,8 +241,10 @@ class SilhouetteAndVolume(ToolTest):
         Meshes.write_sphere(self.path("sphere.vtp"))
         ground = [(-9, -9, -4), (9, -9, -4), (9, 9, -4), (-9, 9, -4)]
         Meshes.write_obj(self.path("ground.obj"), ground, [(0, 1, 2, 3)])
-        Meshes.write_obj(self.path("far.obj"), [(x, y, 50 * z) for x, y, z in ground], [(0, 1, 2, 3)])
-        common = ("silhouette", "sphere.vtp", "-o", "out.vtp", "--light", "0.1,0.2,4", "--tolerance",
+        Meshes.write_obj(
+            self.path("far.obj"), [(x, y, 50 * z) for x, y, z in ground], [(0, 1, 2, 3)])
+        common = ("silhouette", "sphere.vtp", "-o", "out.vtp", "--light", "0.1,0.2,4",
+                  "--tolerance",
                   "1e-3", "--tolerance-mode", "receiver", "--receiver", "ground.obj")
         near = self.statistics(*common)
         both = self.statistics(*common, "--receiver", "far.obj")
@@ -266,7 +268,8 @@ class SilhouetteAndVolume(ToolTest):
             self.assertFalse(statistics[search]["searchComplete"])
             self.assertGreater(statistics[search]["loops"], 0)
             self.assertLessEqual(statistics[search]["points"], everything["points"])
-        common = ("silhouette", BUNNY, "-o", "out.vtp", "--light", "-2,3,4", "--search", "randomized")
+        common = ("silhouette", BUNNY, "-o", "out.vtp", "--light", "-2,3,4", "--search",
+                  "randomized")
         few = self.statistics(*common, "--sample-fraction", "1e-4")
         again = self.statistics(*common, "--sample-fraction", "1e-4", "--seed", "2")
         all_of_it = self.statistics(*common, "--sample-fraction", "1")
