@@ -18,6 +18,8 @@ packages=(
   libcli11-dev nlohmann-json3-dev
   # the tests and their ray-cast oracle
   libgtest-dev libembree-dev
+  # the fuzz targets
+  clang libclang-rt-14-dev
   # real meshes: the bunny, and the CGAL collection
   glmark2-data libcgal-demo
 )

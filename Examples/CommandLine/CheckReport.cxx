@@ -75,7 +75,7 @@ std::string VerdictSentence(const std::string& verdict)
 {
   if (verdict == "exact")
   {
-    return "Its shadow is exact.";
+    return "Its discrete shadow is exact.";
   }
   return verdict == "warned"
     ? "Some of its shadow is missing or likely to be wrong: see what is warned of."
@@ -129,10 +129,18 @@ std::string Text(const Json& mesh, const Json& defects, const std::string& verdi
   {
     text << "\n"
          << std::setw(8) << defect["count"].dump() << "  " << std::left
-         << std::setw(static_cast<int>(longest)) << defect["defect"].get<std::string>() << "  "
-         << std::setw(12) << defect["meaning"].get<std::string>() << std::right;
+         << std::setw(static_cast<int>(longest)) << defect["defect"].get<std::string>() << "  ";
+    const std::string meaning = defect["meaning"].get<std::string>();
     const std::string place = Place(defect["place"]);
-    text << (place.empty() ? "" : "  ") << place << "\n"
+    if (place.empty())
+    {
+      text << meaning;
+    }
+    else
+    {
+      text << std::setw(12) << meaning << "  " << place;
+    }
+    text << std::right << "\n"
          << Wrapped(defect["shadow"].get<std::string>() + " " + defect["remedy"].get<std::string>(),
               std::string(10, ' '), width);
   }

@@ -20,153 +20,152 @@ double distance(const Vec3& p, const Vec3& a, const Vec3& b)
   return glm::length(p - (a + s * along));
 }
 
-/// No point of the box is nearer to the segment.
-double leastDistance(const Box& box, const Vec3& a, const Vec3& b)
+bool isWithin(const Vec3& p, const Box& box, double distance)
 {
-  const Vec3 centre = 0.5 * (box.low + box.high);
-  return distance(centre, a, b) - 0.5 * glm::length(box.high - box.low);
+  Box around;
+  around.add(p - distance);
+  around.add(p + distance);
+  return box.meets(around);
 }
+
+/// Where border vertices are: any number of them that were not welded are one place.
+struct Place
+{
+  Vec3 point;
+  double reach; ///< the least of theirs
+  std::size_t vertices;
+};
+
+struct BorderSide
+{
+  std::array<Vec3, 3> corners; ///< of its triangle, from the side's start on
+  double reach;
+};
 
 class GapFinder
 {
 public:
   GapFinder(const TriangleMesh& mesh, const EdgeTable& edges, double reach)
-    : Mesh(mesh)
-    , Edges(edges)
-    , LargestReach(reach)
-    , Reach(mesh.points.size(), reach)
   {
+    const auto reachAt = [&](const Edge& edge)
+    {
+      const double length = glm::length(mesh.points[edge.b] - mesh.points[edge.a]);
+      return std::min(reach, nearShare * length);
+    };
+    std::vector<double> vertexReach(mesh.points.size(), reach);
     for (const Edge& edge : edges.edges)
     {
-      const double near = nearShare * this->length(edge);
-      this->Reach[edge.a] = std::min(this->Reach[edge.a], near);
-      this->Reach[edge.b] = std::min(this->Reach[edge.b], near);
+      const double near = reachAt(edge);
+      vertexReach[edge.a] = std::min(vertexReach[edge.a], near);
+      vertexReach[edge.b] = std::min(vertexReach[edge.b], near);
     }
-    for (std::size_t e = edges.regular; e < edges.edges.size(); ++e)
+    std::vector<Index> vertices;
+    for (std::size_t i = edges.regular; i < edges.edges.size(); ++i)
     {
-      if (edges.sideCount(static_cast<Index>(e)) == 1)
+      const Index e = static_cast<Index>(i);
+      if (edges.sideCount(e) == 1)
       {
-        this->Borders.push_back(static_cast<Index>(e));
-        this->Vertices.push_back(edges.edges[e].a);
-        this->Vertices.push_back(edges.edges[e].b);
+        const Side side = edges.sides[edges.firstSide(e)];
+        const Triangle& t = mesh.triangles[side / 3];
+        const unsigned start = side % 3;
+        this->Borders.push_back({ { mesh.points[t[start]], mesh.points[t[next(start)]],
+                                    mesh.points[t[next(next(start))]] },
+          reachAt(edges.edges[e]) });
+        vertices.push_back(edges.edges[e].a);
+        vertices.push_back(edges.edges[e].b);
       }
     }
-    std::sort(this->Vertices.begin(), this->Vertices.end());
-    this->Vertices.erase(
-      std::unique(this->Vertices.begin(), this->Vertices.end()), this->Vertices.end());
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    std::sort(vertices.begin(), vertices.end(),
+      [&](Index l, Index r)
+      {
+        const Vec3& p = mesh.points[l];
+        const Vec3& q = mesh.points[r];
+        return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
+      });
+    for (const Index v : vertices)
+    {
+      if (this->Places.empty() || this->Places.back().point != mesh.points[v])
+      {
+        this->Places.push_back({ mesh.points[v], reach, 0 });
+      }
+      Place& place = this->Places.back();
+      place.reach = std::min(place.reach, vertexReach[v]);
+      ++place.vertices;
+    }
   }
 
   BorderGaps find(const RangeLoop& loop) const
   {
-    std::vector<Box> boxes(this->Vertices.size());
+    std::vector<Box> boxes(this->Places.size());
     for (std::size_t i = 0; i < boxes.size(); ++i)
     {
-      boxes[i].add(this->Mesh.points[this->Vertices[i]]);
+      boxes[i].add(this->Places[i].point);
     }
-    const BoxTree tree(boxes);
-    std::vector<std::uint8_t> isNear(boxes.size());
-    loop(boxes.size(), heavyGrain,
+    const BoxTree places(boxes);
+    boxes.assign(this->Borders.size(), Box());
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+    {
+      boxes[i].add(this->Borders[i].corners[0]);
+      boxes[i].add(this->Borders[i].corners[1]);
+    }
+    const BoxTree borders(boxes);
+    std::vector<std::uint8_t> isNear(this->Places.size());
+    std::vector<std::uint8_t> isJunction(this->Places.size());
+    loop(this->Places.size(), heavyGrain,
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t i = begin; i < end; ++i)
         {
-          isNear[i] = this->isNearAnother(tree, this->Vertices[i]);
+          isNear[i] = this->isNearAnother(places, this->Places[i]);
+          isJunction[i] = this->isJunction(borders, this->Places[i]);
         }
       });
-    std::vector<std::vector<Index>> junctions(this->Borders.size());
-    loop(junctions.size(), heavyGrain,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          junctions[i] = this->junctionsAt(tree, this->Borders[i]);
-        }
-      });
-    return this->collect(isNear, junctions);
+    BorderGaps gaps;
+    for (std::size_t i = 0; i < this->Places.size(); ++i)
+    {
+      const Place& place = this->Places[i];
+      const Occurrences here{ place.vertices, place.point };
+      gaps.nearSeams.add(isNear[i] != 0 ? here : Occurrences());
+      gaps.tJunctions.add(isJunction[i] != 0 ? here : Occurrences());
+    }
+    return gaps;
   }
 
 private:
-  const Vec3& place(Index vertex) const { return this->Mesh.points[vertex]; }
-
-  double length(const Edge& edge) const
+  bool isNearAnother(const BoxTree& tree, const Place& place) const
   {
-    return glm::length(this->place(edge.b) - this->place(edge.a));
-  }
-
-  bool isNearAnother(const BoxTree& tree, Index vertex) const
-  {
-    const Vec3& p = this->place(vertex);
-    const double near = this->Reach[vertex];
     bool found = false;
-    tree.search([&](const Box& box) { return leastDistance(box, p, p) <= near; },
+    tree.search([&](const Box& box) { return isWithin(place.point, box, place.reach); },
       [&](Index i)
       {
-        const Index other = this->Vertices[i];
-        const double away = glm::length(this->place(other) - p);
-        found = away > 0.0 && away <= std::min(near, this->Reach[other]);
+        const Place& other = this->Places[i];
+        const double away = glm::length(other.point - place.point);
+        found = away > 0.0 && away <= std::min(place.reach, other.reach);
         return !found;
       });
     return found;
   }
 
-  /// As items of the tree.
-  std::vector<Index> junctionsAt(const BoxTree& tree, Index border) const
+  bool isJunction(const BoxTree& tree, const Place& place) const
   {
-    const Edge& edge = this->Edges.edges[border];
-    const Triangle& own =
-      this->Mesh.triangles[this->Edges.sides[this->Edges.firstSide(border)] / 3];
-    const Vec3& a = this->place(edge.a);
-    const Vec3& b = this->place(edge.b);
-    const double near = std::min(this->LargestReach, nearShare * this->length(edge));
-    std::vector<Index> found;
-    tree.search([&](const Box& box) { return leastDistance(box, a, b) <= near; },
+    const Vec3& p = place.point;
+    bool found = false;
+    tree.search([&](const Box& box) { return isWithin(p, box, place.reach); },
       [&](Index i)
       {
-        const Index vertex = this->Vertices[i];
-        const Vec3& p = this->place(vertex);
-        if (std::find(own.begin(), own.end(), vertex) == own.end() &&
-          distance(p, a, b) <= std::min(near, this->Reach[vertex]) &&
-          glm::length(p - a) > near && glm::length(p - b) > near)
-        {
-          found.push_back(i);
-        }
-        return true;
+        const BorderSide& border = this->Borders[i];
+        const auto& [a, b, opposite] = border.corners;
+        found = glm::length(p - a) > border.reach && glm::length(p - b) > border.reach &&
+          p != opposite && distance(p, a, b) <= std::min(place.reach, border.reach);
+        return !found;
       });
     return found;
   }
 
-  BorderGaps collect(const std::vector<std::uint8_t>& isNear,
-    const std::vector<std::vector<Index>>& junctions) const
-  {
-    std::vector<std::uint8_t> isJunction(this->Vertices.size());
-    for (const std::vector<Index>& atEdge : junctions)
-    {
-      for (const Index i : atEdge)
-      {
-        isJunction[i] = 1;
-      }
-    }
-    BorderGaps gaps;
-    for (std::size_t i = 0; i < this->Vertices.size(); ++i)
-    {
-      if (isNear[i] != 0)
-      {
-        gaps.nearSeams.add(this->place(this->Vertices[i]));
-      }
-      if (isJunction[i] != 0)
-      {
-        gaps.tJunctions.add(this->place(this->Vertices[i]));
-      }
-    }
-    return gaps;
-  }
-
-  const TriangleMesh& Mesh;
-  const EdgeTable& Edges;
-  const double LargestReach;
-  std::vector<double> Reach; ///< of each vertex of the mesh
-  std::vector<Index> Borders;
-  std::vector<Index> Vertices; ///< of borders, ascending
+  std::vector<Place> Places;
+  std::vector<BorderSide> Borders;
 };
 }
 

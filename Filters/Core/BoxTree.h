@@ -5,31 +5,6 @@
 
 namespace shadow
 {
-/// Along the axes, with its faces.
-struct Box
-{
-  Vec3 low{ std::numeric_limits<double>::infinity() };
-  Vec3 high{ -std::numeric_limits<double>::infinity() };
-
-  void add(const Vec3& point)
-  {
-    this->low = glm::min(this->low, point);
-    this->high = glm::max(this->high, point);
-  }
-
-  void add(const Box& other)
-  {
-    this->low = glm::min(this->low, other.low);
-    this->high = glm::max(this->high, other.high);
-  }
-
-  bool meets(const Box& o) const
-  {
-    return this->low.x <= o.high.x && o.low.x <= this->high.x && this->low.y <= o.high.y &&
-      o.low.y <= this->high.y && this->low.z <= o.high.z && o.low.z <= this->high.z;
-  }
-};
-
 /// Over items with finite boxes, halved at the middle one along the longest axis. Built in
 /// O(n log n); safe to be searched from several threads.
 class BoxTree

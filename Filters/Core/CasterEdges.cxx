@@ -78,11 +78,10 @@ EdgeDefects countEdgeDefects(const TriangleMesh& mesh, const EdgeTable& edges)
   EdgeDefects defects;
   for (std::size_t i = edges.regular; i < edges.edges.size(); ++i)
   {
-    const Index e = static_cast<Index>(i);
-    const Index sides = edges.sideCount(e);
-    defects.boundary += sides == 1;
-    defects.nonManifold += sides > 2;
-    defects.inconsistent += sides == 2 && signSum(mesh, edges, e) != 0;
+    const EdgeDefect defect = edgeDefect(mesh, edges, static_cast<Index>(i));
+    defects.boundary += defect == EdgeDefect::Border;
+    defects.nonManifold += defect == EdgeDefect::NonManifold;
+    defects.inconsistent += defect == EdgeDefect::Inconsistent;
   }
   return defects;
 }

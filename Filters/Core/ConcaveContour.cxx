@@ -42,9 +42,7 @@ ConcaveContour::ConcaveContour(const Caster& caster, const SilhouetteChain& chai
     {
       continue;
     }
-    const Triangle& n = mesh.cornerNormals[piece.source];
-    const double side = glm::dot(mesh.areaNormal(piece.source),
-      mesh.normals[n[0]] + mesh.normals[n[1]] + mesh.normals[n[2]]);
+    const double side = normalAgreement(mesh, piece.source);
     const double facing = faceField(mesh, chain.light, piece.source);
     this->Ends[piece.from - this->VertexCount] = true;
     this->Ends[piece.to - this->VertexCount] = true;

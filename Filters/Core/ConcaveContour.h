@@ -15,8 +15,8 @@ struct ConcaveChord
   bool turnedAway; ///< the flat triangle faces away from the light, though its lit corners do not
 };
 
-/// The concave chords of a corner field's silhouette. In front of such a contour the surface lies in
-/// its own shadow: no light passes there, so none of it is seen as a shadow's edge.
+/// The concave chords of a corner field's silhouette. In front of such a contour the surface lies
+/// in its own shadow: no light passes there, so none of it is seen as a shadow's edge.
 class ConcaveContour
 {
 public:

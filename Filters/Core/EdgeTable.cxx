@@ -57,6 +57,15 @@ struct SortedHalfEdges
 };
 }
 
+EdgeDefect edgeDefect(const TriangleMesh& mesh, const EdgeTable& table, Index edge)
+{
+  const Index sides = table.sideCount(edge);
+  return sides == 1               ? EdgeDefect::Border
+    : sides > 2                   ? EdgeDefect::NonManifold
+    : signSum(mesh, table, edge) != 0 ? EdgeDefect::Inconsistent
+                                      : EdgeDefect::None;
+}
+
 EdgeTable buildEdgeTable(const TriangleMesh& mesh)
 {
   const SortedHalfEdges sorted(mesh);

@@ -55,6 +55,17 @@ inline int signSum(const TriangleMesh& mesh, const EdgeTable& table, Index edge)
   return sum;
 }
 
+/// What is wrong with an edge.
+enum class EdgeDefect
+{
+  None,
+  Border,      ///< one side
+  NonManifold, ///< more than two sides
+  Inconsistent ///< two sides that run in the same direction
+};
+
+EdgeDefect edgeDefect(const TriangleMesh& mesh, const EdgeTable& table, Index edge);
+
 /// Regular and other edges each ascending by (a, b), the sides of the others ascending. Sorts by
 /// counting: O(triangles + vertices), and a sort among the edges at one vertex.
 EdgeTable buildEdgeTable(const TriangleMesh& mesh);

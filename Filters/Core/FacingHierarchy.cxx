@@ -22,8 +22,8 @@ constexpr unsigned uncertain = 16;
 
 using Signs = std::array<std::int32_t, FacingHierarchy::blockSize>;
 
-/// Adds a bit to the sign of each item whose field is lit for certain, and the bit of uncertain where
-/// that is open. The planes' pairs are multiplied and added with the light's.
+/// Adds a bit to the sign of each item whose field is lit for certain, and the bit of uncertain
+/// where that is open. The planes' pairs are multiplied and added with the light's.
 #ifdef __SSE2__
 void addSigns(const std::int16_t* pairs, const std::array<std::int16_t, 4>& light,
   std::int32_t margin, unsigned bit, Signs& signs)

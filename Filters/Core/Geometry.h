@@ -27,6 +27,12 @@ inline bool isFinite(const Vec3& v)
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// By size.
+inline double largestComponent(const Vec3& v)
+{
+  return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
+}
+
 /// The vector of unit length, or zero where it has no direction: zero or no finite vector. Squares
 /// of very large and very small components leave the range of doubles, so these are scaled first.
 inline Vec3 unitOrZero(const Vec3& v)
@@ -36,7 +42,7 @@ inline Vec3 unitOrZero(const Vec3& v)
   {
     return v * (1.0 / std::sqrt(squared));
   }
-  const double largest = std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
+  const double largest = largestComponent(v);
   if (!isFinite(v) || !(largest > 0.0))
   {
     return Vec3(0.0);
@@ -77,6 +83,31 @@ inline bool isLit(double field)
   return field >= 0.0;
 }
 
+/// A box along the axes, with its faces.
+struct Box
+{
+  Vec3 low{ std::numeric_limits<double>::infinity() };
+  Vec3 high{ -std::numeric_limits<double>::infinity() };
+
+  void add(const Vec3& point)
+  {
+    this->low = glm::min(this->low, point);
+    this->high = glm::max(this->high, point);
+  }
+
+  void add(const Box& other)
+  {
+    this->low = glm::min(this->low, other.low);
+    this->high = glm::max(this->high, other.high);
+  }
+
+  bool meets(const Box& o) const
+  {
+    return this->low.x <= o.high.x && o.low.x <= this->high.x && this->low.y <= o.high.y &&
+      o.low.y <= this->high.y && this->low.z <= o.high.z && o.low.z <= this->high.z;
+  }
+};
+
 using Triangle = std::array<Index, 3>;
 
 /// A ball around a mesh: the centre of its bounds and half their diagonal.
@@ -104,20 +135,25 @@ struct TriangleMesh
     return glm::cross(this->points[t[1]] - origin, this->points[t[2]] - origin);
   }
 
+  /// Endless and inside out without points.
+  Box bounds() const
+  {
+    Box bounds;
+    for (const Vec3& p : this->points)
+    {
+      bounds.add(p);
+    }
+    return bounds;
+  }
+
   Ball ball() const
   {
     if (this->points.empty())
     {
       return {};
     }
-    Vec3 low = this->points[0];
-    Vec3 high = low;
-    for (const Vec3& p : this->points)
-    {
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-    }
-    return { 0.5 * (low + high), 0.5 * glm::length(high - low) };
+    const Box bounds = this->bounds();
+    return { 0.5 * (bounds.low + bounds.high), 0.5 * glm::length(bounds.high - bounds.low) };
   }
 };
 

@@ -11,9 +11,8 @@ Vec3 middleOf(const TriangleMesh& mesh, const Edge& edge)
   return 0.5 * (mesh.points[edge.a] + mesh.points[edge.b]);
 }
 
-Vec3 middleOf(const TriangleMesh& mesh, Index triangle)
+Vec3 middleOf(const TriangleMesh& mesh, const Triangle& t)
 {
-  const Triangle& t = mesh.triangles[triangle];
   return (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3.0;
 }
 
@@ -22,19 +21,20 @@ void addEdges(const TriangleMesh& mesh, const EdgeTable& edges, MeshDefects& def
   for (std::size_t i = edges.regular; i < edges.edges.size(); ++i)
   {
     const Index e = static_cast<Index>(i);
-    const Index sides = edges.sideCount(e);
     const Vec3 place = middleOf(mesh, edges.edges[e]);
-    if (sides == 1)
+    switch (edgeDefect(mesh, edges, e))
     {
-      defects.borderEdges.add(place);
-    }
-    else if (sides > 2)
-    {
-      defects.nonManifoldEdges.add(place);
-    }
-    else if (signSum(mesh, edges, e) != 0)
-    {
-      defects.inconsistentEdges.add(place);
+      case EdgeDefect::Border:
+        defects.borderEdges.add(place);
+        break;
+      case EdgeDefect::NonManifold:
+        defects.nonManifoldEdges.add(place);
+        break;
+      case EdgeDefect::Inconsistent:
+        defects.inconsistentEdges.add(place);
+        break;
+      case EdgeDefect::None:
+        break;
     }
   }
 }
@@ -51,16 +51,9 @@ void addDuplicates(const TriangleMesh& mesh, MeshDefects& defects)
   {
     if (sorted[i] == sorted[i - 1])
     {
-      const Triangle& t = sorted[i];
-      defects.duplicateTriangles.add(
-        (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3.0);
+      defects.duplicateTriangles.add(middleOf(mesh, sorted[i]));
     }
   }
-}
-
-double largestCoordinate(const Vec3& p)
-{
-  return std::max(std::fabs(p.x), std::max(std::fabs(p.y), std::fabs(p.z)));
 }
 
 struct Shape
@@ -72,19 +65,28 @@ struct Shape
 Shape shapeOf(const TriangleMesh& mesh, Index triangle)
 {
   const Triangle& t = mesh.triangles[triangle];
-  double longest = 0.0;
+  std::array<Vec3, 3> sides;
+  double size = 0.0;
   double coordinate = 0.0;
   for (unsigned k = 0; k < 3; ++k)
   {
     const Vec3& p = mesh.points[t[k]];
-    longest = std::max(longest, glm::length(mesh.points[t[next(k)]] - p));
-    coordinate = std::max(coordinate, largestCoordinate(p));
+    sides[k] = mesh.points[t[next(k)]] - p;
+    size = std::max(size, largestComponent(sides[k]));
+    coordinate = std::max(coordinate, largestComponent(p));
+  }
+  // Of size 1, for areas and their squares leave the range of doubles long before lengths do.
+  double longest = 0.0;
+  for (Vec3& side : sides)
+  {
+    side /= size;
+    longest = std::max(longest, glm::length(side));
   }
   // Of a point that is computed on a line, as a mean of two others, the coordinates are rounded
   // twice, each time by half an epsilon: in space that is less than two of them. The same again
   // leaves room for the area's own roundings.
-  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * coordinate;
-  const double doubleArea = glm::length(mesh.areaNormal(triangle));
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * (coordinate / size);
+  const double doubleArea = glm::length(glm::cross(sides[0], sides[1]));
   const bool isFlat = !(doubleArea > longest * rounding);
   return { isFlat, !isFlat && sliverAspect * doubleArea <= longest * longest };
 }
@@ -95,7 +97,7 @@ void addTriangles(const TriangleMesh& mesh, const ChainWeights& weights, MeshDef
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
     const Index t = static_cast<Index>(i);
-    const Vec3 place = middleOf(mesh, t);
+    const Vec3 place = middleOf(mesh, mesh.triangles[t]);
     const Shape shape = shapeOf(mesh, t);
     if (shape.isFlat)
     {

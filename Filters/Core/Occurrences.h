@@ -5,9 +5,8 @@
 
 namespace shadow
 {
-/// Counts places and keeps the least of them by x, then y, then z: which one that is does not
-/// depend on the order in which a mesh is kept or looked at. Places that are not finite count, and
-/// are kept only while there is no other.
+/// Counts places and keeps the least of them by x, then y, then z: whatever the order in which they
+/// are added. Places that are not finite count, and are kept only while there is no other.
 struct Occurrences
 {
   std::size_t count = 0;

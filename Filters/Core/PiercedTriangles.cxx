@@ -115,49 +115,97 @@ bool pierce(const Corners& s, const Corners& t, Vec3& place)
   return true;
 }
 
-/// Such triangles can lie in one plane only, or do not meet elsewhere.
-bool shareASide(const Triangle& s, const Triangle& t)
+Box boxAround(const Vec3& p, const Vec3& q)
 {
-  int shared = 0;
-  for (const Index v : s)
-  {
-    shared += v == t[0] || v == t[1] || v == t[2];
-  }
-  return shared > 1;
+  Box box;
+  box.add(p);
+  box.add(q);
+  return box;
 }
+
+/// The triangles of a mesh, with boxes around them that rule out most pairs.
+class Pairs
+{
+public:
+  explicit Pairs(const TriangleMesh& mesh)
+    : Mesh(mesh)
+    , Boxes(mesh.triangles.size())
+  {
+    for (std::size_t i = 0; i < this->Boxes.size(); ++i)
+    {
+      for (const Vec3& p : this->corners(i))
+      {
+        this->Boxes[i].add(p);
+      }
+    }
+  }
+
+  const std::vector<Box>& boxes() const { return this->Boxes; }
+
+  Corners corners(std::size_t i) const
+  {
+    const Triangle& t = this->Mesh.triangles[i];
+    return { this->Mesh.points[t[0]], this->Mesh.points[t[1]], this->Mesh.points[t[2]] };
+  }
+
+  bool canPierce(std::size_t i, std::size_t j) const
+  {
+    if (i == j || !this->Boxes[i].meets(this->Boxes[j]))
+    {
+      return false;
+    }
+    const Triangle& s = this->Mesh.triangles[i];
+    const Triangle& t = this->Mesh.triangles[j];
+    unsigned shared = 0;
+    unsigned ofS = 0;
+    unsigned ofT = 0;
+    for (unsigned k = 0; k < 9; ++k)
+    {
+      if (s[k / 3] == t[k % 3])
+      {
+        ++shared;
+        ofS = k / 3;
+        ofT = k % 3;
+      }
+    }
+    // With a common side they can lie in one plane only, or do not meet elsewhere. What they have
+    // in common from a common vertex on ends where it leaves one of them, at the opposite side.
+    return shared == 0 ||
+      (shared == 1 && (this->sideMeets(i, ofS, j) || this->sideMeets(j, ofT, i)));
+  }
+
+private:
+  /// Whether the box around the side opposite of a corner meets the box around another triangle.
+  bool sideMeets(std::size_t i, unsigned corner, std::size_t j) const
+  {
+    const Triangle& t = this->Mesh.triangles[i];
+    return boxAround(this->Mesh.points[t[next(corner)]], this->Mesh.points[t[next(next(corner))]])
+      .meets(this->Boxes[j]);
+  }
+
+  const TriangleMesh& Mesh;
+  std::vector<Box> Boxes;
+};
 }
 
 Occurrences findPiercedTriangles(const TriangleMesh& mesh, const RangeLoop& loop)
 {
   const std::size_t count = mesh.triangles.size();
-  const auto cornersOf = [&](std::size_t i)
-  {
-    const Triangle& t = mesh.triangles[i];
-    return Corners{ mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]] };
-  };
-  std::vector<Box> boxes(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    for (const Vec3& p : cornersOf(i))
-    {
-      boxes[i].add(p);
-    }
-  }
-  const BoxTree tree(boxes);
+  const Pairs pairs(mesh);
+  const BoxTree tree(pairs.boxes());
   std::vector<Occurrences> found(count);
   loop(count, heavyGrain,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const Corners corners = cornersOf(i);
-        tree.search([&](const Box& box) { return box.meets(boxes[i]); },
+        const Box& own = pairs.boxes()[i];
+        const Corners corners = pairs.corners(i);
+        tree.search([&](const Box& box) { return box.meets(own); },
           [&](Index j)
           {
             Vec3 place;
-            if (i != j && boxes[j].meets(boxes[i]) &&
-              !shareASide(mesh.triangles[i], mesh.triangles[j]) &&
-              pierce(corners, cornersOf(j), place))
+            if (pairs.canPierce(i, j) && pierce(corners, pairs.corners(j), place))
             {
               found[i].add(place);
             }

@@ -58,16 +58,17 @@ struct VolumeSettings
   bool wallStrips = false; ///< not to infinity in a direction, where walls have one point in common
 };
 
-/// Extrudes to where the shadow is to end. The silhouette must match the chain. The sum of all directed edges, with
-/// multiplicity, is zero unless caps are left out, or pieces of the silhouette missing.
+/// Extrudes to where the shadow is to end. The silhouette must match the chain. The sum of all
+/// directed edges, with multiplicity, is zero unless caps are left out, or pieces of the silhouette
+/// missing.
 ///
-/// Gap triangles fill what is between a smooth silhouette and the mesh. A finite volume's far cap is
-/// its near cap and gaps, moved to where their shadows end.
+/// Gap triangles fill what is between a smooth silhouette and the mesh. A finite volume's far cap
+/// is its near cap and gaps, moved to where their shadows end.
 ///
 /// To infinity walls are quads for a point light and triangles for a directional one, all of whose
-/// shadows end at one point there; only a point light has a far cap. With the light outside the ball around the
-/// caster this is a fan at infinity, otherwise all of the near cap is projected there: then it
-/// covers the sphere at infinity as often as the light is enclosed by the caster.
+/// shadows end at one point there; only a point light has a far cap. With the light outside the
+/// ball around the caster this is a fan at infinity, otherwise all of the near cap is projected
+/// there: then it covers the sphere at infinity as often as the light is enclosed by the caster.
 ShadowVolume extrude(const Caster& caster, const SilhouetteChain& chain,
   const SilhouetteInput& silhouette, const VolumeSettings& settings);
 

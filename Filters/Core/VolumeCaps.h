@@ -6,8 +6,8 @@
 namespace shadow
 {
 /// The lit or the dark part of a triangle that the silhouette crosses, counter-clockwise over the
-/// chain's nodes, with every crossing on its edges, those of the other sides too, so that neighbours
-/// share all points.
+/// chain's nodes, with every crossing on its edges, those of the other sides too, so that
+/// neighbours share all points.
 std::vector<Index> partOfTriangle(
   const Caster& caster, const SilhouetteChain& chain, Index triangle, bool lit);
 

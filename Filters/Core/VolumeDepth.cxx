@@ -66,7 +66,10 @@ double turn(double x, double y)
 
 std::size_t sector(double turned)
 {
-  return std::min(static_cast<std::size_t>(turned * (sectorCount / 4.0)), sectorCount - 1);
+  // What is no number, of coordinates out of range, belongs somewhere, too.
+  return turned >= 0.0
+    ? std::min(static_cast<std::size_t>(turned * (sectorCount / 4.0)), sectorCount - 1)
+    : 0;
 }
 
 enum class Sense

@@ -12,8 +12,8 @@ struct VolumeRim
   int multiplicity;
 };
 
-/// Makes a rim of each loop of a silhouette. The volume must hold the mesh's points, by node number;
-/// further points, gaps, and caps in front of concave contours are appended to it.
+/// Makes a rim of each loop of a silhouette. The volume must hold the mesh's points, by node
+/// number; further points, gaps, and caps in front of concave contours are appended to it.
 ///
 /// A smooth contour lies off the mesh; gaps fill what is between. Where it is concave (see
 /// ConcaveContour) the rim stays on the mesh: lifted off it, or with a triangle in front of it that

@@ -7,9 +7,9 @@
  * made here.
  *
  * The volume reaches from the mesh to infinity, or as Extent says to a length or to a plane. Its
- * points are homogeneous: a point x goes to infinity as (w x - l, 0) for the light (l, w) (Everitt &
- * Kilgard 2002). A point of space is in shadow where the volume winds around it, which the stencil
- * test counts. A finite volume is an ordinary closed surface.
+ * points are homogeneous: a point x goes to infinity as (w x - l, 0) for the light (l, w) (Everitt
+ * & Kilgard 2002). A point of space is in shadow where the volume winds around it, which the
+ * stencil test counts. A finite volume is an ordinary closed surface.
  *
  * The near cap is a part of the mesh itself. On a closed, consistently wound part of the mesh the
  * dark side can serve as well as the lit one: the shadow that it throws is the same, and it lies
@@ -27,9 +27,9 @@
  * - FieldData `Closed`: 1 if the directed edges of all triangles, taken with their multiplicity,
  *   sum to zero: so it is by construction, as silhouettes that are not of the mesh's chain are
  *   refused, unless Caps is NONE or the silhouette's search left some of it out.
- *   `GreatestDepth`: a bound on how often the volume winds around a point (far behind the mesh, if a
- *   corner field's cap turns away from the light in places). `Volume`, of a finite extent: what it
- *   encloses.
+ *   `GreatestDepth`: a bound on how often the volume winds around a point (far behind the mesh, if
+ *   a corner field's cap turns away from the light in places). `Volume`, of a finite extent: what
+ *   it encloses.
  *
  * Errors: a silhouette that does not belong to the mesh gives vtkErrorMacro and no output, as does
  * a light that is not finite or is all zero. At most 2^30 points and 2^31 corners of triangles,
@@ -110,9 +110,9 @@ public:
 
   ///@{
   /**
-   * Where shadows end: INFINITE; LENGTH, at Length from each point along its ray; or PLANE, on a plane
-   * that each point's ray meets (a point beyond the plane is its own end). It is an error if there are
-   * rays that do not come to the plane. Default INFINITE.
+   * Where shadows end: INFINITE; LENGTH, at Length from each point along its ray; or PLANE, on a
+   * plane that each point's ray meets (a point beyond the plane is its own end). It is an error if
+   * there are rays that do not come to the plane. Default INFINITE.
    */
   vtkSetClampMacro(Extent, int, INFINITE, PLANE);
   vtkGetMacro(Extent, int);
@@ -123,8 +123,9 @@ public:
 
   ///@{
   /**
-   * How long shadows are (LENGTH), or how far along their direction Points shows what is at infinity
-   * (INFINITE). World units. 0 (the default) takes ten times the diagonal of the mesh's bounds.
+   * How long shadows are (LENGTH), or how far along their direction Points shows what is at
+   * infinity (INFINITE). World units. 0 (the default) takes ten times the diagonal of the mesh's
+   * bounds.
    */
   vtkSetClampMacro(Length, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Length, double);
@@ -132,8 +133,8 @@ public:
 
   ///@{
   /**
-   * Of PLANE: a point on the plane, default (0, 0, 0), and a normal of any length but zero, on either
-   * side, default (0, 0, 1).
+   * Of PLANE: a point on the plane, default (0, 0, 0), and a normal of any length but zero, on
+   * either side, default (0, 0, 1).
    */
   vtkSetVector3Macro(PlaneOrigin, double);
   vtkGetVector3Macro(PlaneOrigin, double);
@@ -155,8 +156,8 @@ public:
   /**
    * Whether the walls along a loop of 16 points or more become one triangle strip: two point ids a
    * segment in place of six, and one cell a loop. Strips come behind the triangles. The walls of a
-   * directional light's infinite volume all end in one point and stay triangles. Many filters want triangles alone
-   * (vtkTriangleFilter takes strips apart), so the default is off.
+   * directional light's infinite volume all end in one point and stay triangles. Many filters want
+   * triangles alone (vtkTriangleFilter takes strips apart), so the default is off.
    */
   vtkSetMacro(WallStrips, bool);
   vtkGetMacro(WallStrips, bool);

@@ -44,6 +44,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <set>
 
 vtkStandardNewMacro(vtkStencilShadowPass);
 vtkCxxSetObjectMacro(vtkStencilShadowPass, DelegatePass, vtkRenderPass);
@@ -151,7 +152,7 @@ public:
 
   int TextureUnit = -1;
   bool Shading = false;
-  bool HasWarned = false;
+  std::set<std::string> Warnings; // that have been given
 };
 
 namespace
@@ -489,9 +490,8 @@ void vtkStencilShadowPass::DropMasks(const vtkRenderState* state)
 
 void vtkStencilShadowPass::WarnOnce(const std::string& reason)
 {
-  if (!this->Internal->HasWarned)
+  if (this->Internal->Warnings.insert(reason).second)
   {
-    this->Internal->HasWarned = true;
     vtkWarningMacro(<< reason << ".");
   }
 }

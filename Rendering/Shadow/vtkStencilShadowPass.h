@@ -8,10 +8,10 @@
  *
  * Per frame: depth of the opaque props into an own framebuffer; then, for each light that casts,
  * the actors' shadow volumes (vtkSmoothLightSilhouette, vtkShadowVolumeExtruder) counted in the
- * stencil buffer (in floats where there may be more than it can count) by z-fail (Everitt & Kilgard 2002), which is right with the eye in shadow and
- * with volumes cut by the near plane; the zero counts become the light's visibility mask; last,
- * the delegate draws with the mask applied to the light's colour. Volumes are remade only for a
- * light or an actor that moved or was modified.
+ * stencil buffer (in floats where there may be more than it can count) by z-fail (Everitt & Kilgard
+ * 2002), which is right with the eye in shadow and with volumes cut by the near plane; the zero
+ * counts become the light's visibility mask; last, the delegate draws with the mask applied to the
+ * light's colour. Volumes are remade only for a light or an actor that moved or was modified.
  *
  * Where it stands among other passes:
  * - Alone, `renderer->SetPass(pass)`: the default delegate sets viewport and background by the
@@ -37,7 +37,7 @@
  * without shadows.
  *
  * Errors: where OpenGL cannot give the framebuffer, with 8 bits of stencil, there is one warning
- * and no shadows.
+ * and no shadows; where it cannot draw floats that counts need, one warning.
  */
 #ifndef vtkStencilShadowPass_h
 #define vtkStencilShadowPass_h

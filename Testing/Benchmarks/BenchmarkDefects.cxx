@@ -1,5 +1,6 @@
-// What each defect of a mesh costs: triangles of the shadow volume, the update when the light moves,
-// and a frame. A closed mesh has dark caps; with one hole in it both sides of all of it cast.
+// What each defect of a mesh costs: triangles of the shadow volume, the update when the light
+// moves, and a frame. A closed mesh has dark caps; with one hole in it both sides of all of it
+// cast.
 
 #include "HostileMeshes.h"
 #include "Measure.h"
@@ -56,7 +57,8 @@ Mesh finned(vtkPolyData* mesh, int count)
   for (int i = 0; i < count; ++i)
   {
     const std::vector<vtkIdType> cell = builder.Cells[static_cast<std::size_t>(97 * i)];
-    const auto at = [&](std::size_t k) { return builder.Points[static_cast<std::size_t>(cell[k])]; };
+    const auto at = [&](std::size_t k)
+    { return builder.Points[static_cast<std::size_t>(cell[k])]; };
     const Vec3 out = normalized(cross(at(1) - at(0), at(2) - at(0)));
     const Vec3 tip = 0.5 * (at(0) + at(1)) + 0.01 * out;
     builder.addTriangle(cell[0], cell[1], builder.addPoint(tip));

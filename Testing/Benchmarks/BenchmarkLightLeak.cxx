@@ -1,9 +1,10 @@
 // Light that the corner fields of accurate and smooth silhouettes leave where the surface that a
-// mesh stands for shadows itself, and shadow where it is lit, by the cosine at which light comes in.
+// mesh stands for shadows itself, and shadow where it is lit, by the cosine at which light comes
+// in.
 //
 // The reference is a ray cast of a much finer mesh of the same surface: of the torus itself, and of
-// the interpolating subdivision (vtkButterflySubdivisionFilter) of real meshes. Pixels beside an edge
-// of a cast shadow are left out: edges of meshes differ.
+// the interpolating subdivision (vtkButterflySubdivisionFilter) of real meshes. Pixels beside an
+// edge of a cast shadow are left out: edges of meshes differ.
 
 #include "LightLeak.h"
 #include "RayCast.h"

@@ -241,8 +241,10 @@ class SilhouetteAndVolume(ToolTest):
         Meshes.write_sphere(self.path("sphere.vtp"))
         ground = [(-9, -9, -4), (9, -9, -4), (9, 9, -4), (-9, 9, -4)]
         Meshes.write_obj(self.path("ground.obj"), ground, [(0, 1, 2, 3)])
-        Meshes.write_obj(self.path("far.obj"), [(x, y, 50 * z) for x, y, z in ground], [(0, 1, 2, 3)])
-        common = ("silhouette", "sphere.vtp", "-o", "out.vtp", "--light", "0.1,0.2,4", "--tolerance",
+        Meshes.write_obj(
+            self.path("far.obj"), [(x, y, 50 * z) for x, y, z in ground], [(0, 1, 2, 3)])
+        common = ("silhouette", "sphere.vtp", "-o", "out.vtp", "--light", "0.1,0.2,4",
+                  "--tolerance",
                   "1e-3", "--tolerance-mode", "receiver", "--receiver", "ground.obj")
         near = self.statistics(*common)
         both = self.statistics(*common, "--receiver", "far.obj")
@@ -266,7 +268,8 @@ class SilhouetteAndVolume(ToolTest):
             self.assertFalse(statistics[search]["searchComplete"])
             self.assertGreater(statistics[search]["loops"], 0)
             self.assertLessEqual(statistics[search]["points"], everything["points"])
-        common = ("silhouette", BUNNY, "-o", "out.vtp", "--light", "-2,3,4", "--search", "randomized")
+        common = ("silhouette", BUNNY, "-o", "out.vtp", "--light", "-2,3,4", "--search",
+                  "randomized")
         few = self.statistics(*common, "--sample-fraction", "1e-4")
         again = self.statistics(*common, "--sample-fraction", "1e-4", "--seed", "2")
         all_of_it = self.statistics(*common, "--sample-fraction", "1")
@@ -375,6 +378,8 @@ class Check(ToolTest):
         self.assertGreater(defects.pop("averaged normals"), 0)
         self.assertGreater(defects.pop("estimated normals"), BUNNY_TRIANGLES // 2)
         self.assertEqual(defects, {"slivers": 4, "pierced triangles": 3})
+        meanings = {d["defect"]: d["meaning"] for d in statistics["defects"]}
+        self.assertEqual(meanings["pierced triangles"], "well defined")
         fewer = self.statistics("check", BUNNY, "--no-intersections")
         self.assertFalse(fewer["intersectionsChecked"])
         self.assertNotIn("pierced triangles", self.defects(fewer))
@@ -385,7 +390,7 @@ class Check(ToolTest):
         self.assertEqual((statistics["shadow"], statistics["defects"]), ("exact", []))
         self.assertEqual(self.succeed("check", "sphere.vtp"),
                          f"sphere.vtp: {Meshes.SPHERE_TRIANGLES} triangles, 86 distinct points, 1 "
-                         "part, closed\n\nNo defects. Its shadow is exact.\n")
+                         "part, closed\n\nNo defects. Its discrete shadow is exact.\n")
 
     def test_open_mesh(self):
         mesh = self.open_tetrahedron()
@@ -400,6 +405,8 @@ class Check(ToolTest):
         self.assertIn("not closed, both sides of 3 triangles cast", " ".join(text.split()))
         self.assertRegex(text, r"\n +3  border edges +exact +at 0, 0, 0\.5\n")
         self.assertTrue(text.endswith("above.\n"), text)
+        self.assertRegex(text, r"\n +\d+  estimated normals  well defined\n")  # without a place
+        self.assertNotRegex(text, r" \n")
 
     def test_wrapped_to_100_columns(self):
         lines = self.succeed("check", self.open_tetrahedron()).splitlines()

@@ -65,6 +65,56 @@ TEST(BorderGaps, TJunctionsAreFoundWithAndWithoutAGap)
   }
 }
 
+// Unwelded triangles have the gaps of welded ones, at each of their vertices.
+TEST(BorderGaps, TrianglesApartAreJudgedByTheirPlaces)
+{
+  TriangleMesh welded;
+  addStrip(welded, 8, 0.0, 1.0);
+  addStrip(welded, 4, 1.0 + 1e-8, 2.0);
+  TriangleMesh apart;
+  for (const Triangle& t : welded.triangles)
+  {
+    const Index first = static_cast<Index>(apart.points.size());
+    for (const Index v : t)
+    {
+      apart.points.push_back(welded.points[v]);
+    }
+    apart.triangles.push_back({ first, first + 1, first + 2 });
+  }
+  const BorderGaps gaps = gapsOf(apart, 1e-6);
+  // Three triangles meet on the seam within a strip, 1 and 2 at its ends.
+  EXPECT_EQ(gapsOf(welded, 1e-6).tJunctions.count, 4u);
+  EXPECT_EQ(gaps.tJunctions.count, 4u * 3u);
+  EXPECT_EQ(gapsOf(welded, 1e-6).nearSeams.count, 10u);
+  EXPECT_EQ(gaps.nearSeams.count, 2u * (3u * 3u + 1u + 2u));
+  EXPECT_EQ(gaps.nearSeams.place, Vec3(0.0, 1.0, 0.0));
+}
+
+// Neither vertices at one place nor those that many edges touch are kept or visited in pairs.
+TEST(BorderGaps, FansOfTrianglesApartHaveNone)
+{
+  constexpr Index slices = 50000;
+  TriangleMesh fan;
+  for (Index i = 0; i < slices; ++i)
+  {
+    const double from = 1.5 * i / slices;
+    const double to = 1.5 * (i + 1) / slices;
+    fan.points.insert(fan.points.end(), { { 0.0, 0.0, 1.0 },
+                                          { std::cos(from), std::sin(from), 0.0 },
+                                          { std::cos(to), std::sin(to), 0.0 } });
+    fan.triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
+  }
+  const BorderGaps gaps = gapsOf(fan, 1e-7);
+  EXPECT_EQ(gaps.nearSeams.count, 0u);
+  EXPECT_EQ(gaps.tJunctions.count, 0u);
+  // A border edge through the apex alone has all of its vertices inside.
+  const Index first = 3 * slices;
+  fan.points.insert(
+    fan.points.end(), { { 0.0, -1.0, 1.0 }, { 0.0, 1.0, 1.0 }, { 0.0, 0.0, 2.0 } });
+  fan.triangles.push_back({ first, first + 1, first + 2 });
+  EXPECT_EQ(gapsOf(fan, 1e-7).tJunctions.count, slices);
+}
+
 TEST(BorderGaps, FineAndThinMeshesAreNotTakenForGaps)
 {
   TriangleMesh fine;

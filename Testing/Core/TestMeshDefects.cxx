@@ -135,6 +135,24 @@ TEST(MeshDefects, SliversAreToldFromNoArea)
   EXPECT_EQ(defects.flatTriangles.count, 0u);
 }
 
+// Areas of triangles, and squares of these, leave the range of doubles long before lengths do.
+TEST(MeshDefects, ShapesAreToldAtAllSizes)
+{
+  for (const double size : { 1e-290, 1e-170, 1e-80, 1.0, 1e80, 1e155, 1e290 })
+  {
+    SCOPED_TRACE(size);
+    for (const double height : { 0.5, 1.0 / 1001.0, 0.0 })
+    {
+      TriangleMesh mesh;
+      mesh.points = { { 0.0, 0.0, 0.0 }, { size, 0.0, 0.0 }, { 0.3 * size, height * size, 0.0 } };
+      mesh.triangles = { { 0, 1, 2 } };
+      const MeshDefects defects = defectsOf(mesh);
+      EXPECT_EQ(defects.flatTriangles.count, height == 0.0 ? 1u : 0u);
+      EXPECT_EQ(defects.slivers.count, height == 1.0 / 1001.0 ? 1u : 0u);
+    }
+  }
+}
+
 TEST(MeshDefects, PartsAreCountedByWhatTheyAre)
 {
   TriangleMesh mesh = coretest::cube();

@@ -126,6 +126,60 @@ TEST(PiercedTriangles, NeighboursDoSoOnlyBeyondWhatTheyShare)
   EXPECT_EQ(pierced(away), 0u);
 }
 
+// Pairs with a common vertex, each told by one of the two opposite sides, in both orders; and a
+// look at all such pairs, by the other way to ask.
+TEST(PiercedTriangles, FansAreJudgedByTheirOppositeSides)
+{
+  std::size_t total = 0;
+  std::size_t apart = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    shadowtest::Random random(seed);
+    const auto anywhere = [&]
+    {
+      const double size = random.uniform(0.1, 1.0);
+      Vec3 p(0.0);
+      random.direction(&p.x);
+      return size * p;
+    };
+    TriangleMesh mesh;
+    mesh.points.push_back(Vec3(0.0));
+    for (Index i = 0; i < 6; ++i)
+    {
+      const Index first = static_cast<Index>(mesh.points.size());
+      mesh.points.push_back(anywhere());
+      mesh.points.push_back(anywhere());
+      mesh.triangles.push_back({ first, 0, first + 1 });
+      std::rotate(mesh.triangles[i].begin(), mesh.triangles[i].begin() + i % 3,
+        mesh.triangles[i].end());
+    }
+    std::size_t expected = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    {
+      const auto oppositeGoesThrough = [&](std::size_t one, std::size_t other)
+      {
+        const Index first = static_cast<Index>(2 * one + 1);
+        const Triangle& t = mesh.triangles[other];
+        double margin = 1.0;
+        return goesThrough(mesh.points[first], mesh.points[first + 1], mesh.points[t[0]],
+          mesh.points[t[1]], mesh.points[t[2]], margin);
+      };
+      bool found = false;
+      for (std::size_t j = 0; j < mesh.triangles.size(); ++j)
+      {
+        found = found || (i != j && (oppositeGoesThrough(i, j) || oppositeGoesThrough(j, i)));
+      }
+      expected += found;
+      apart += !found;
+    }
+    EXPECT_EQ(pierced(mesh), expected);
+    total += expected;
+  }
+  EXPECT_GT(total, 50u);
+  EXPECT_GT(apart, 50u);
+}
+
 // Two walls that cross, their diagonals too: no side of a triangle goes through another's inside.
 TEST(PiercedTriangles, TiesDoNotHideThem)
 {

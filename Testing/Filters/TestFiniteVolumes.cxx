@@ -1,4 +1,5 @@
-// Volumes that end at a length or on a plane: ordinary closed solids of the size that they must have.
+// Volumes that end at a length or on a plane: ordinary closed solids of the size that they must
+// have.
 
 #include "ChainChecks.h"
 #include "RandomMeshes.h"
@@ -111,8 +112,8 @@ TEST(FiniteVolumes, BetweenABallAndThePlane)
     endOnPlane(sphere, -3.0);
     expectVolume(sphere, 3.0 * Pi - 2.0 * Pi / 3.0, 2e-3);
   }
-  // From a lamp in z = 2 the tangent cone, of half angle 30 degrees, touches in z = 1/2. Of the cone
-  // down to z = -3 less its tip, what is left of the ball below is taken away.
+  // From a lamp in z = 2 the tangent cone, of half angle 30 degrees, touches in z = 1/2. Of the
+  // cone down to z = -3 less its tip, what is left of the ball below is taken away.
   ShadowPipeline sphere(
     shadowtest::icosphere(5), { 0.0, 0.0, 2.0, 1.0 }, vtkSmoothLightSilhouette::SMOOTH);
   sphere.Silhouette->SetTolerance(1e-6);

@@ -258,11 +258,17 @@ TEST(ShadowMeshCheck, TJunctionsAndNearSeams)
   const Mesh wall = wallWithSeam(24, 3);
   const Report open = reportOf(wall);
   EXPECT_EQ(open.counts(), (Counts{ { "near seams", 8 }, { "border edges", 54 } }));
-  // What the remedy says: within the distance that the sentence names.
+  // What the remedy says: within the distance that the sentence names, which is all of the reach.
+  const std::string& sentence = open.Rows.at("near seams").Shadow;
+  const std::string before = "Border points within ";
+  ASSERT_EQ(sentence.rfind(before, 0), 0u) << sentence;
+  const double distance = std::stod(sentence.substr(before.size()));
+  EXPECT_GE(distance, 1e-6 * wall->GetLength());
+  EXPECT_LT(distance, 1.01e-6 * wall->GetLength());
   vtkNew<vtkCleanPolyData> clean;
   clean->SetInputData(wall);
   clean->ToleranceIsAbsoluteOn();
-  clean->SetAbsoluteTolerance(1e-6 * wall->GetLength());
+  clean->SetAbsoluteTolerance(distance);
   clean->Update();
   EXPECT_EQ(reportOf(clean->GetOutput()).counts(), (Counts{ { "border edges", 48 } }));
   // Floats of this size have steps of 7.6e-6, more than the share of the wall's size.
@@ -392,6 +398,91 @@ TEST(ShadowMeshCheck, CoarseCoordinatesNameTheirStep)
     "coarse coordinates"), 600);
 }
 
+// The largest one has no next one.
+TEST(ShadowMeshCheck, StepsOfTheLargestFloatsAreFinite)
+{
+  for (const float largest : { 2e38f, std::numeric_limits<float>::max() })
+  {
+    MeshBuilder mesh;
+    mesh.addPoint({ largest, 0.0, 0.0 });
+    mesh.addPoint({ largest, 1e33, 0.0 });
+    mesh.addPoint({ largest, 0.0, 1e33 });
+    mesh.addTriangle(0, 1, 2);
+    const Report report = reportOf(inFloat(mesh.build()));
+    EXPECT_EQ(report.count("extreme coordinates"), 0);
+    ASSERT_EQ(report.count("coarse coordinates"), 3);
+    // 2^104, of the square's diagonal.
+    const std::string& sentence = report.Rows.at("coarse coordinates").Shadow;
+    EXPECT_NE(sentence.find("steps of 2.03e+31, 0.0143 of"), std::string::npos) << sentence;
+  }
+}
+
+// Up to the sizes that are warned of, a mesh of another size by a power of two has the same shadow
+// of that size, for no product leaves the range of doubles.
+TEST(ShadowMeshCheck, ExtremeCoordinatesAreThoseThatCastOtherShadows)
+{
+  const Mesh sphere = shadowtest::sphere(20, 48);
+  const std::vector<Mesh> meshes{ sphere, shadowtest::withoutNormals(shadowtest::starShaped(3, 7)),
+    shadowtest::opened(shadowtest::icosphere(3), 0.2, 9), shadowtest::weldedBox() };
+  for (const double size : { 0x1p-167, 0x1p165 }) // 5e-51 and 5e49, where diagonals are 2 and more
+  {
+    SCOPED_TRACE(size);
+    for (const Mesh& mesh : meshes)
+    {
+      const Mesh same = shadowtest::moved(mesh, 1.0, { 0.0, 0.0, 0.0 });
+      const Mesh scaled = shadowtest::moved(mesh, size, { 0.0, 0.0, 0.0 });
+      EXPECT_EQ(reportOf(scaled).counts(), reportOf(same).counts());
+      for (const int kind : shadowtest::AllKinds)
+      {
+        for (const double w : { 0.0, 1.0 })
+        {
+          const double unit = w == 0.0 ? 1.0 : size;
+          shadowtest::ShadowPipeline one(same, { 1.5, 2.5, 3.7, w }, kind);
+          shadowtest::ShadowPipeline other(
+            scaled, { 1.5 * unit, 2.5 * unit, 3.7 * unit, w }, kind);
+          ASSERT_GT(one.silhouette()->GetNumberOfPoints(), 3);
+          ASSERT_EQ(
+            one.silhouette()->GetNumberOfPoints(), other.silhouette()->GetNumberOfPoints());
+          EXPECT_EQ(one.volume()->GetNumberOfCells(), other.volume()->GetNumberOfCells());
+          for (vtkIdType i = 0; i < one.silhouette()->GetNumberOfPoints(); ++i)
+          {
+            for (int k = 0; k < 3; ++k)
+            {
+              EXPECT_NEAR(one.silhouette()->GetPoint(i)[k],
+                other.silhouette()->GetPoint(i)[k] / size, shadowtest::tolerance::SamePoint);
+            }
+          }
+        }
+      }
+    }
+  }
+  for (const double size : { 1e-170, 1e-80, 1e-51, 1e51, 1e80, 1e155, 1e200 })
+  {
+    SCOPED_TRACE(size);
+    const Report report = reportOf(shadowtest::moved(sphere, size, { 0.0, 0.0, 0.0 }));
+    EXPECT_GT(report.count("extreme coordinates"), 500);
+    EXPECT_EQ(report.Rows.at("extreme coordinates").Meaning, "warned");
+    EXPECT_EQ(report.count("zero-area triangles"), 0);
+    EXPECT_EQ(report.count("coarse coordinates"), 0);
+  }
+  // One vertex is enough, and a mesh that has no size is not a small one.
+  MeshBuilder one = opening(shadowtest::weldedBox());
+  one.Points[3][0] = 1e51;
+  EXPECT_EQ(reportOf(one.build()).count("extreme coordinates"), 1);
+  MeshBuilder point;
+  for (int k = 0; k < 3; ++k)
+  {
+    point.addPoint({ 1.0, 2.0, 3.0 });
+  }
+  point.addTriangle(0, 1, 2);
+  vtkNew<vtkShadowMeshCheck> apart;
+  apart->SetInputData(point.build());
+  apart->MergePointsOff();
+  const Report none = reportOf(apart);
+  EXPECT_EQ(none.count("zero-area triangles"), 1);
+  EXPECT_EQ(none.count("extreme coordinates") + none.count("coarse coordinates"), 0);
+}
+
 TEST(ShadowMeshCheck, CellsAndPointsThatCastNothing)
 {
   MeshBuilder mesh = opening(shadowtest::quadBox());
@@ -413,6 +504,14 @@ TEST(ShadowMeshCheck, CellsAndPointsThatCastNothing)
   const Report report = reportOf(surface);
   EXPECT_EQ(report.count("lines and vertices"), 1);
   EXPECT_EQ(report.Rows.at("lines and vertices").Place, (Vec3{ 3.0, 0.0, 0.0 }));
+  // Of a line whose first point does not exist, the next one is its place.
+  const vtkIdType broken[2] = { 77, 8 };
+  lines->InsertNextCell(2, broken);
+  surface->Modified();
+  const Report more = reportOf(surface);
+  EXPECT_EQ(more.count("lines and vertices"), 2);
+  EXPECT_EQ(more.Rows.at("lines and vertices").Place, (Vec3{ 3.0, 0.0, 0.0 }));
+  EXPECT_EQ(more.count("unused points"), 0);
   EXPECT_EQ(report.count("unused points"), 1);
   EXPECT_EQ(report.Rows.at("unused points").Place, (Vec3{ 7.0, 8.0, 9.0 }));
   EXPECT_EQ(report.count("crossed polygons"), 1);
@@ -450,6 +549,17 @@ TEST(ShadowMeshCheck, PiercedTrianglesAreLookedForOrNot)
   EXPECT_GE(report.count("pierced triangles"), 6);
   EXPECT_EQ(report.Rows.size(), 1u);
   EXPECT_EQ(report.Fields.at("ClosedParts"), 2);
+  EXPECT_EQ(report.Rows.at("pierced triangles").Meaning, "well defined");
+  MeshBuilder crossing;
+  for (const Vec3& p : { Vec3{ -1.0, -1.0, 0.0 }, Vec3{ 1.0, -1.0, 0.0 }, Vec3{ 0.0, 1.0, 0.0 },
+         Vec3{ 0.0, 0.0, -1.0 }, Vec3{ 0.0, 0.0, 1.0 }, Vec3{ 9.0, 0.0, 0.0 } })
+  {
+    crossing.addPoint(p);
+  }
+  crossing.addTriangle(0, 1, 2);
+  crossing.addTriangle(3, 4, 5);
+  const Report open = reportOf(crossing.build());
+  EXPECT_EQ(open.Rows.at("pierced triangles").Meaning, "exact");
   check->CheckIntersectionsOff();
   EXPECT_EQ(reportOf(check).counts(), Counts());
   // As exact predicates count them (with CGAL, of the pairs that it finds).

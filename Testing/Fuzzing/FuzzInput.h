@@ -43,8 +43,8 @@ private:
   std::size_t Size;
 };
 
-/// Points of float, double or int; polygons, strips, lines and vertices of any length; ids of points
-/// that do not exist; normals none, or of any type, length and number of components.
+/// Points of float, double or int; polygons, strips, lines and vertices of any length; ids of
+/// points that do not exist; normals none, or of any type, length and number of components.
 Mesh hostileMesh(FuzzInput& input);
 
 /// Points of double. One of some small bodies, or nothing, with points moved, cells turned, removed

@@ -1,5 +1,5 @@
-// Any bytes as a mesh and lights through vtkSmoothLightSilhouette: nothing crashes, what comes out is
-// closed, and what is said of the mesh is true.
+// Any bytes as a mesh and lights through vtkSmoothLightSilhouette: nothing crashes, what comes out
+// is closed, and what is said of the mesh is true.
 
 #include "ChainChecks.h"
 #include "FuzzCheck.h"
@@ -34,6 +34,9 @@ bool isUsable(vtkPolyData* mesh, vtkIdType id)
   mesh->GetPoint(id, p);
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
+
+// The greatest size whose areas are sure to stay within doubles.
+constexpr double GreatestReach = 1e80;
 
 struct CellCounts
 {
@@ -104,9 +107,6 @@ void checkFields(vtkPolyData* silhouette, const CellCounts& counts, int search)
   requireBetween(silhouette, "SearchComplete", complete ? 1.0 : 0.0, 1.0);
 }
 
-// The greatest size whose areas are sure to stay within doubles.
-constexpr double GreatestReach = 1e80;
-
 void checkSilhouette(vtkPolyData* silhouette, double reach)
 {
   const LoopReport report = checkLoops(silhouette);
@@ -137,21 +137,29 @@ void draw(FuzzInput& input, vtkSmoothLightSilhouette* silhouette)
   silhouette->SetSeed(static_cast<int>(input.below(4)));
 }
 
-// Tolerances in world units are shares of the mesh: what is far below would be a million points.
-void drawToleranceMode(FuzzInput& input, vtkPolyData* mesh, vtkSmoothLightSilhouette* silhouette)
+// Tolerances in world units are shares of the mesh: what is far below would be a million points. So
+// would shadows be that meet a receiver at a grazing angle. Bounds far around the mesh are met at
+// none; others are for the smallest meshes.
+void drawToleranceMode(
+  FuzzInput& input, const CellCounts& counts, vtkSmoothLightSilhouette* silhouette)
 {
   const int mode = static_cast<int>(input.below(4)) - 1;
-  if (mode <= vtkSmoothLightSilhouette::RELATIVE)
+  if (mode <= vtkSmoothLightSilhouette::RELATIVE || counts.Reach > GreatestReach)
   {
     return;
   }
-  const double length = mesh->GetLength();
-  const double unit = length > 1e-9 && length < 1e80 ? length : 1.0;
+  const double unit = counts.Reach > 1e-9 ? counts.Reach : 1.0;
   silhouette->SetToleranceMode(mode);
   silhouette->SetTolerance(unit * silhouette->GetTolerance());
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  const unsigned count = 1 + input.below(3);
+  if (counts.Triangles > 2)
+  {
+    const double far = 16.0 * unit;
+    points->InsertNextPoint(-far, -far, -far);
+    points->InsertNextPoint(far, far, far);
+  }
+  const unsigned count = counts.Triangles > 2 ? 0 : 1 + input.below(3);
   for (unsigned i = 0; i < count; ++i)
   {
     const Vec3 point = unit * input.vector(Numbers::Grid);
@@ -174,7 +182,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const Mesh mesh = hostileMesh(input);
   const CellCounts counts = countCells(mesh);
   silhouette->SetInputData(mesh);
-  drawToleranceMode(input, mesh, silhouette);
+  drawToleranceMode(input, counts, silhouette);
   // Further lights use what is kept of the mesh and of the last silhouette.
   for (unsigned i = 0; i < lights; ++i)
   {

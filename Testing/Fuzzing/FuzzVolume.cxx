@@ -1,5 +1,5 @@
-// Any bytes as a small mesh, a light and settings, through silhouette and shadow volume: all searches
-// that are complete find the same, and volumes are closed and finite.
+// Any bytes as a small mesh, a light and settings, through silhouette and shadow volume: all
+// searches that are complete find the same, and volumes are closed and finite.
 
 #include "ChainChecks.h"
 #include "FuzzCheck.h"

@@ -1,5 +1,5 @@
-// Runs a fuzz target once on each of the given files: what a fuzzer once found stays tested, with any
-// compiler.
+// Runs a fuzz target once on each of the given files: what a fuzzer once found stays tested, with
+// any compiler.
 
 #include <cstdint>
 #include <cstdio>

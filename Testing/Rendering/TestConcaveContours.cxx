@@ -1,5 +1,5 @@
-// Where a surface is hollow towards the light it lies in its own shadow: no light may get in between a
-// mesh and the walls that begin at its contour.
+// Where a surface is hollow towards the light it lies in its own shadow: no light may get in
+// between a mesh and the walls that begin at its contour.
 
 #include "LightLeak.h"
 #include "ShadowScene.h"

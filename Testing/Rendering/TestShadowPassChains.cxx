@@ -64,7 +64,10 @@ std::map<std::string, std::vector<int>> QueryState()
     { "read buffers", GL_READ_FRAMEBUFFER_BINDING }, { "draw buffer", GL_DRAW_BUFFER },
     { "renderbuffer", GL_RENDERBUFFER_BINDING }, { "active texture", GL_ACTIVE_TEXTURE },
     { "array texture", GL_TEXTURE_BINDING_2D_ARRAY }, { "blend source", GL_BLEND_SRC_RGB },
-    { "blend destination", GL_BLEND_DST_RGB }, { "depth clear", GL_DEPTH_CLEAR_VALUE },
+    { "blend destination", GL_BLEND_DST_RGB },
+    { "blend source alpha", GL_BLEND_SRC_ALPHA }, { "blend destination alpha", GL_BLEND_DST_ALPHA },
+    { "blend equation", GL_BLEND_EQUATION_RGB }, { "blend equation alpha", GL_BLEND_EQUATION_ALPHA },
+    { "depth clear", GL_DEPTH_CLEAR_VALUE },
     { "color clear", GL_COLOR_CLEAR_VALUE }, { "pack alignment", GL_PACK_ALIGNMENT } };
   std::map<std::string, std::vector<int>> state;
   for (const auto& query : switches)
@@ -104,6 +107,8 @@ public:
       known->vtkglStencilFunc(GL_ALWAYS, 5, 0x7e);
       known->vtkglStencilOp(GL_INVERT, GL_INCR, GL_REPLACE);
       known->vtkglEnable(GL_CULL_FACE);
+      known->vtkglBlendFuncSeparate(GL_DST_COLOR, GL_ONE_MINUS_DST_ALPHA, GL_ZERO, GL_SRC_ALPHA);
+      known->vtkglBlendEquationSeparate(GL_FUNC_REVERSE_SUBTRACT, GL_MAX);
       known->vtkglEnable(GL_STENCIL_TEST);
       glFrontFace(GL_CW);
       glPolygonOffset(0.5f, 3.0f);
@@ -167,10 +172,12 @@ vtkSmartPointer<vtkCameraPass> MakeCamera(vtkRenderPass* delegate)
 }
 }
 
-TEST(StencilShadowPass, StateIsLeftAlone)
+namespace
+{
+void expectStateIsLeftAlone(vtkPolyData* caster)
 {
   Scene scene;
-  scene.Add(FloatingBox());
+  scene.Add(caster);
   scene.AddLight(PointLight);
   vtkNew<ProbePass> inner;
   inner->Delegate = MakeSteps();
@@ -211,6 +218,19 @@ TEST(StencilShadowPass, StateIsLeftAlone)
     }
   }
   EXPECT_GT(before.size(), 30u);
+}
+}
+
+TEST(StencilShadowPass, StateIsLeftAlone)
+{
+  expectStateIsLeftAlone(FloatingBox());
+}
+
+// More shadow volumes than a stencil counts: blending counts them.
+TEST(StencilShadowPass, StateIsLeftAloneByCountsInFloats)
+{
+  const std::vector<Mesh> sheets(200, moved(ground(0.0, 0.4), 1.0, { 0.0, 0.0, 1.0 }));
+  expectStateIsLeftAlone(merged(sheets));
 }
 
 TEST(StencilShadowPass, ChainsOfPasses)

@@ -1,5 +1,5 @@
-// The pass in two windows, and released. Windows of any shape, resized, with several renderers are in
-// Robustness/TestHardPictures.
+// The pass in two windows, and released. Windows of any shape, resized, with several renderers are
+// in Robustness/TestHardPictures.
 
 #include "ImageChecks.h"
 #include "ShadowScene.h"

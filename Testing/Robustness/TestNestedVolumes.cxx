@@ -15,7 +15,7 @@ using namespace shadowtest;
 // From outside of the stack, so that all sheets but the last lie between the lamp and the ground.
 const RayLight Lamp = { 0.4, 0.3, 6.0, 1.0 };
 
-// Sheets over one another, each a little smaller than the one below in x if they are to be a pyramid.
+// Sheets over one another, each a little smaller than the one below if they are to be a pyramid.
 std::vector<Mesh> sheets(int count, bool pyramid)
 {
   std::vector<Mesh> stack;
@@ -122,4 +122,32 @@ TEST(NestedVolumes, OneClosedPartOf300Fins)
   const Mesh sink = heatSink(300);
   EXPECT_GE(greatestDepth(sink, across), 256);
   expectMask({ sink }, across, "fins");
+}
+
+// Lights whose counts need floats and others in one frame, at more than one size.
+TEST(NestedVolumes, LightsOfEitherCountTogether)
+{
+  const Mesh stack = merged(sheets(140, false));
+  const std::array<RayLight, 3> positions = { { { 4.0, 0.5, 0.03, 0.0 }, Lamp,
+    { 0.3, 0.2, 1.0, 0.0 } } };
+  EXPECT_LT(greatestDepth(stack, positions[0]), 127);
+  EXPECT_GT(greatestDepth(stack, positions[1]), 127);
+  Scene scene;
+  scene.Add(stack);
+  std::vector<vtkSmartPointer<vtkLight>> lights;
+  for (const RayLight& position : positions)
+  {
+    lights.push_back(scene.AddLight(position));
+  }
+  const auto window = MakeWindow(300, 220);
+  window->AddRenderer(scene.Renderer);
+  for (const int width : { 300, 220, 330 })
+  {
+    window->SetSize(width, 220);
+    window->Render();
+    for (std::size_t i = 0; i < lights.size(); ++i)
+    {
+      ExpectMask(scene, lights[i], positions[i], { { scene.GroundMesh }, { stack } }, "lights");
+    }
+  }
 }

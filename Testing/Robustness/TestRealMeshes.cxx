@@ -81,7 +81,8 @@ Mesh atTheOrigin(const std::string& name)
   double centre[3];
   mesh->GetCenter(centre);
   const double scale = 2.0 / mesh->GetLength();
-  return moved(withoutNormals(mesh), scale, { -scale * centre[0], -scale * centre[1], -scale * centre[2] });
+  return moved(withoutNormals(mesh), scale,
+    { -scale * centre[0], -scale * centre[1], -scale * centre[2] });
 }
 
 // A thousandth of the size above the middle of a triangle about halfway through the mesh.
@@ -310,6 +311,9 @@ TEST_P(RealMeshes, MasksEqualTheRayCast)
     const MaskCount count = comparison.total();
     const long stray = count.WrongBeyond - count.WrongFaint;
     EXPECT_LE(stray, 1) << comparison.describe();
+    EXPECT_LE(static_cast<double>(count.WrongFaint),
+      tolerance::FaintPixels * static_cast<double>(count.Compared))
+      << comparison.describe();
     EXPECT_GT(comparison.Objects[0].Compared, 1000) << comparison.describe();
     sum.Compared += count.Compared;
     sum.Shadowed += count.Shadowed;

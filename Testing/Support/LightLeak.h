@@ -27,8 +27,8 @@ constexpr std::array<double, 6> LeakCosines = { 0.0, 0.03, 0.06, 0.12, 0.24, 1.0
 using LeakCounts = std::array<LeakCount, LeakCosines.size() - 1>;
 
 /// Adds a mask's pixels to the counts. The reference is a ray cast of a much finer mesh of the same
-/// surface. Pixels that it sees turned away from the light are left out, as shading darkens them, and
-/// those beside an edge of a cast shadow or of the object, as edges of meshes differ.
+/// surface. Pixels that it sees turned away from the light are left out, as shading darkens them,
+/// and those beside an edge of a cast shadow or of the object, as edges of meshes differ.
 void countLeaks(const RayPicture& reference, vtkImageData* mask, LeakCounts& counts);
 }
 

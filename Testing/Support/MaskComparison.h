@@ -46,14 +46,14 @@ enum class TurnedAwayPixels
 };
 
 /// Compares a mask (one component, 0 shadow, otherwise lit, of the view's size) with the oracle.
-/// Triangles that are edge-on to the light (tolerance::EdgeOn) are neither lit nor in shadow and are
-/// left out.
+/// Triangles that are edge-on to the light (tolerance::EdgeOn) are neither lit nor in shadow and
+/// are left out.
 ///
 /// A pixel is near an edge if, somewhere within one pixel of its middle in x and y, the oracle sees
-/// another object than at its middle, or changes between lit, in shadow and turned away. This is looked for at the
-/// 8 neighbours first and then, for wrong pixels, at a grid of 17 x 17 places, as a sliver of
-/// shadow can lie between the middles of pixels. After 3,000 such searches in vain the rest of the
-/// wrong pixels count as beyond by their neighbours alone: the mask is wrong anyway.
+/// another object than at its middle, or changes between lit, in shadow and turned away. This is
+/// looked for at the 8 neighbours first and then, for wrong pixels, at a grid of 17 x 17 places, as
+/// a sliver of shadow can lie between the middles of pixels. After 3,000 such searches in vain the
+/// rest of the wrong pixels count as beyond by their neighbours alone: the mask is wrong anyway.
 MaskComparison compareMask(const RayScene& scene, const RayView& view, const RayLight& light,
   vtkImageData* mask, TurnedAwayPixels turnedAway = TurnedAwayPixels::Ignored);
 }

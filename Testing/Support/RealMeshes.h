@@ -18,9 +18,9 @@ namespace shadowtest
 /// SMOOTHSHADOW_TEST_BUNNY names another OBJ file. Points are made double.
 vtkSmartPointer<vtkPolyData> bunny();
 
-/// A mesh of package libcgal-demo by its name, without ".off", as in cgalMesh("armadillo"), but with
-/// ".ply" or ".stl", as in cgalMesh("pig.stl"), whose points are floats. The
-/// build unpacks the package's archive; SMOOTHSHADOW_TEST_CGAL names another folder of OFF files.
+/// A mesh of package libcgal-demo by its name, without ".off", as in cgalMesh("armadillo"), but
+/// with ".ply" or ".stl", as in cgalMesh("pig.stl"), whose points are floats. The build unpacks the
+/// package's archive; SMOOTHSHADOW_TEST_CGAL names another folder of OFF files.
 vtkSmartPointer<vtkPolyData> cgalMesh(const std::string& name);
 
 /// Names of all of them, sorted; empty if there is no such folder.

@@ -44,10 +44,10 @@ constexpr double LightLift = 1e-5;
 /// which its subdivision of 1e-6 may be a hundredth, and over four decades that makes 3e-3.
 constexpr double FarLightOrder = 5e-3;
 
-/// Roundings, of coordinates as large as a scene is far away, by which a ray's place in a triangle may
-/// be off in double: those of three corners, of both ends of the ray, and of the differences between
-/// them. Times a rounding of the place, over the triangle's size, it is the least margin at which
-/// two decisions about a ray there are compared.
+/// Roundings, of coordinates as large as a scene is far away, by which a ray's place in a triangle
+/// may be off in double: those of three corners, of both ends of the ray, and of the differences
+/// between them. Times a rounding of the place, over the triangle's size, it is the least margin at
+/// which two decisions about a ray there are compared.
 constexpr double RoundingsOfPlace = 32.0;
 
 /// Residual at which the Newton iterations of the analytic shadows have converged.
@@ -87,9 +87,9 @@ constexpr double PolygonOrder = 0.35;
 constexpr double SmoothFinest = 1e-7;
 constexpr double EstimatedFinest = 1e-6;
 
-/// Percent of the pixels in which a coarse torus shadows itself (light at a cosine of 0.03 and more)
-/// that may be lit: twice what its discrete shadow, that of the triangles, leaves. With contours
-/// lifted off the mesh everywhere it is some 20 to 50.
+/// Percent of the pixels in which a coarse torus shadows itself (light at a cosine of 0.03 and
+/// more) that may be lit: twice what its discrete shadow, that of the triangles, leaves. With
+/// contours lifted off the mesh everywhere it is some 20 to 50.
 constexpr double LeakPercent = 1.0;
 
 /// Pixels: how far from the true shadow's edge a rasterised mask may differ from the oracle.
@@ -105,8 +105,12 @@ constexpr double EdgeOn = 1e-9;
 /// a volume leaves such a surface at an angle that 24 bits of depth cannot tell.
 constexpr double FaintLight = 0.5 / 255.0;
 
-/// Share of pixels of masks that a rasteriser may get wrong far from any edge, each alone: of a wall
-/// that the eye sees edge-on, or of the zero-width shadow of triangles that are edge-on to the
+/// Share of a mask's pixels that may be wrong on such faint surfaces: twice the most that was found
+/// on a real mesh.
+constexpr double FaintPixels = 6e-3;
+
+/// Share of pixels of masks that a rasteriser may get wrong far from any edge, each alone: of a
+/// wall that the eye sees edge-on, or of the zero-width shadow of triangles that are edge-on to the
 /// light, a hair's breadth may cover a pixel's middle, with a depth that single precision does not
 /// tell. Up to 2 of 900,000 pixels were found.
 constexpr double StrayPixels = 3e-6;

@@ -51,6 +51,18 @@ std::string text(double value)
   return stream.str();
 }
 
+// To the same number of digits, but not to less than the value.
+std::string textRoundedUp(double value)
+{
+  const std::string nearest = text(value);
+  if (std::stod(nearest) >= value)
+  {
+    return nearest;
+  }
+  const double lastDigit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+  return text(value + 0.5 * lastDigit);
+}
+
 // Without a place of their own.
 shadow::Occurrences counted(std::size_t count)
 {
@@ -85,11 +97,15 @@ void addPointDefects(const CheckedMesh& checked, Defects& list)
 {
   const ReadingDefects& read = checked.prepared.defects;
   const double step = checked.input.coarsestStep;
-  const double share = step / (2.0 * checked.prepared.caster.radius());
+  const double share = step / checked.diagonal;
   list.push_back({ "coarse coordinates", checked.input.coarsePoints, Meaning::Warned,
     "So far from the origin the coordinates' type has steps of " + text(step) + ", " + text(share) +
       " of the mesh's size: surface and shadow are stepped.",
     "Move the mesh to the origin, or keep it in double (VTP), before it is rounded." });
+  list.push_back({ "extreme coordinates", checked.input.extremePoints, Meaning::Warned,
+    "Products of lengths leave the range of doubles on meshes smaller than " + text(leastSize) +
+      " and at coordinates above " + text(largestSize) + ": shadows can be missing or wrong.",
+    "Give the mesh and its lights in another unit." });
   list.push_back({ "repeated points", read.repeatedPoints, Meaning::Exact,
     "Points with equal coordinates, and equal normals if there are any, are welded, so that parts "
     "close.",
@@ -126,7 +142,7 @@ void addNormalDefects(const CheckedMesh& checked, Defects& list)
 
 void addEdgeDefects(const CheckedMesh& checked, Defects& list)
 {
-  const std::string reach = text(checked.reach);
+  const std::string reach = textRoundedUp(checked.reach);
   list.push_back({ "near seams", checked.gaps.nearSeams, Meaning::WellDefined,
     "Border points within " + reach +
       " of one another are not welded: light falls through the gap, and both sides of the part "
@@ -166,7 +182,8 @@ void addTriangleDefects(const CheckedMesh& checked, Defects& list)
     "shadow is the same.",
     "Turn them over (vtkReverseSense) for the shading's sake, unless they bound a cavity." });
   const bool someAreClosed = mesh.closedParts > 0;
-  list.push_back({ "pierced triangles", checked.pierced, Meaning::Exact,
+  list.push_back({ "pierced triangles", checked.pierced,
+    someAreClosed ? Meaning::WellDefined : Meaning::Exact,
     someAreClosed
       ? "Triangles pierce each other: with the light outside of closed parts the shadow is exact "
         "outside of them; what lies inside of one may be lit."

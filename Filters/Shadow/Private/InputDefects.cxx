@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -22,7 +23,7 @@ public:
 
   bool has(vtkIdType point) const { return this->Used[static_cast<std::size_t>(point)]; }
 
-  // Calls visit(first point) for each cell that has a point.
+  // Calls visit(first point that exists, or -1) for each cell that has a point.
   template <class Visit>
   void add(vtkCellArray* cells, const Visit& visit)
   {
@@ -32,16 +33,18 @@ public:
       vtkIdType count;
       const vtkIdType* ids;
       cell->GetCurrentCell(count, ids);
+      vtkIdType first = -1;
       for (vtkIdType i = 0; i < count; ++i)
       {
         if (this->exists(ids[i]))
         {
           this->Used[static_cast<std::size_t>(ids[i])] = true;
+          first = first < 0 ? ids[i] : first;
         }
       }
-      if (count > 0 && this->exists(ids[0]))
+      if (count > 0)
       {
-        visit(ids[0]);
+        visit(first);
       }
     }
   }
@@ -55,17 +58,23 @@ private:
   std::vector<bool> Used;
 };
 
-// From a coordinate to the next one that its type has; 0 for types of whole numbers, which are
-// meant to be steps.
+// From a coordinate to the next one, and from the largest one to the one before.
+template <class Real>
+double stepAt(Real size)
+{
+  const Real above = std::nextafter(size, std::numeric_limits<Real>::infinity());
+  return std::isfinite(above) ? above - size : size - std::nextafter(size, Real(0));
+}
+
+// Of the coordinates' type; 0 for types of whole numbers, which are meant to be steps.
 double stepAt(double coordinate, int type)
 {
   const double size = std::fabs(coordinate);
   if (type == VTK_FLOAT)
   {
-    const float rounded = static_cast<float>(size);
-    return std::nextafter(rounded, VTK_FLOAT_MAX) - rounded;
+    return stepAt(static_cast<float>(size));
   }
-  return type == VTK_DOUBLE ? std::nextafter(size, VTK_DOUBLE_MAX) - size : 0.0;
+  return type == VTK_DOUBLE ? stepAt(size) : 0.0;
 }
 }
 
@@ -79,8 +88,11 @@ InputDefects findInputDefects(
   }
   const auto place = [&](vtkIdType id)
   {
-    shadow::Vec3 point;
-    input->GetPoint(id, &point.x);
+    shadow::Vec3 point(std::numeric_limits<double>::quiet_NaN());
+    if (id >= 0)
+    {
+      input->GetPoint(id, &point.x);
+    }
     return point;
   };
   UsedPoints used(input);
@@ -104,9 +116,13 @@ InputDefects findInputDefects(
   {
     const double step = std::max(stepAt(p.x, type), std::max(stepAt(p.y, type), stepAt(p.z, type)));
     defects.coarsestStep = std::max(defects.coarsestStep, step);
-    if (step > coarseShare * diagonal)
+    if (diagonal > 0.0 && step > coarseShare * diagonal)
     {
       defects.coarsePoints.add(p);
+    }
+    if ((diagonal > 0.0 && diagonal < leastSize) || shadow::largestComponent(p) > largestSize)
+    {
+      defects.extremePoints.add(p);
     }
   }
   return defects;

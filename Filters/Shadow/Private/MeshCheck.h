@@ -12,7 +12,8 @@ struct CheckedMesh
   const PreparedCaster& prepared;
   InputDefects input;
   shadow::MeshDefects mesh;
-  double reach; // of the gaps, in world units
+  double diagonal; // of the bounds
+  double reach;    // of the gaps, in world units
   shadow::BorderGaps gaps;
   shadow::Occurrences pierced;
 };

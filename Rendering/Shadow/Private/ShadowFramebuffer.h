@@ -50,8 +50,8 @@ public:
 
   /**
    * Binds the buffers with the counts as colour, which are made when first asked for, and clears
-   * these: for counts that a stencil buffer has too few bits for. On failure says why in `error` and
-   * returns false.
+   * these: for counts that a stencil buffer has too few bits for. On failure says why in `error`
+   * and returns false.
    */
   bool BeginCounts(vtkOpenGLState* state, std::string& error);
 
