@@ -8,6 +8,7 @@
 #include "RealMeshes.h"
 #include "ShadowScene.h"
 #include "TestMeshes.h"
+#include "Tolerances.h"
 
 #include "vtkOffscreenWindows.h"
 #include "vtkStencilShadowPass.h"
@@ -93,8 +94,12 @@ protected:
     const RayView view =
       RayView::fromCamera(this->Renderer->GetActiveCamera(), scene.width, scene.height);
     const MaskComparison comparison = compareMask(rays, view, position, mask);
-    EXPECT_EQ(comparison.Objects[0].WrongBeyond, 0) << comparison.describe();
-    EXPECT_EQ(comparison.Objects[1].WrongBeyond, 0) << comparison.describe();
+    // One may be stray, see tolerance::StrayPixels; what is too faint for 8 bits is black anyway.
+    const MaskCount count = comparison.total();
+    EXPECT_LE(count.WrongBeyond - count.WrongFaint, 1) << comparison.describe();
+    EXPECT_LE(static_cast<double>(count.WrongFaint),
+      tolerance::FaintPixels * static_cast<double>(count.Compared))
+      << comparison.describe();
     EXPECT_GT(comparison.Objects[0].Shadowed, 2000) << comparison.describe();
     EXPECT_GT(comparison.Objects[1].Shadowed, 50) << comparison.describe();
   }

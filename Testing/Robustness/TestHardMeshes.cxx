@@ -791,7 +791,8 @@ TEST(HardMeshes, UnusedPoints)
     ShadowPipeline without(ball, Lights[0], vtkSmoothLightSilhouette::SMOOTH);
     EXPECT_EQ(with.silhouette()->GetNumberOfPoints(), without.silhouette()->GetNumberOfPoints());
     EXPECT_EQ(with.volume()->GetNumberOfPoints(), without.volume()->GetNumberOfPoints());
-    expectMasks({ { mesh, ball } });
+    // VTK's mappers draw points of floats: far from one another they cannot be told apart.
+    expectMasks({ { mesh, ball, !(far < 1e6) } });
   }
 }
 

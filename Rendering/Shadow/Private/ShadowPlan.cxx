@@ -86,6 +86,21 @@ Point4 PlaneThrough(const Point3& point, const Point3& normal)
 }
 }
 
+namespace
+{
+/**
+ * Whether all of a box is on the outer side of a plane of the pyramid; `inner` is positive if the normal
+ * points to the pyramid, and 0 if all of that lies in the plane, whose sides are both outer ones then.
+ */
+bool Separates(
+  const Point3& point, const Point3& normal, double inner, const BoxCorners& box)
+{
+  const Point4 plane = PlaneThrough(point, normal);
+  const Point4 opposite = { -plane[0], -plane[1], -plane[2], -plane[3] };
+  return (inner >= 0.0 && AllBehind(plane, box)) || (inner <= 0.0 && AllBehind(opposite, box));
+}
+}
+
 BoxCorners CornersOf(const std::array<double, 6>& bounds, const Matrix4& toWorld)
 {
   BoxCorners corners;
@@ -261,14 +276,9 @@ bool ShadowPlan::NearPlaneIsFree(const Point4& light, const BoxCorners& caster) 
   const auto towardLight = [&](const Point3& point)
   { return Point3{ -RayOf(light, point)[0], -RayOf(light, point)[1], -RayOf(light, point)[2] }; };
 
-  // The rectangle's own plane, the light on its inner side.
-  Point3 normal = Cross(corners[1] - corners[0], corners[3] - corners[0]);
-  const double side = Dot(normal, towardLight(corners[0]));
-  if (side < 0.0)
-  {
-    normal = { -normal[0], -normal[1], -normal[2] };
-  }
-  if (side != 0.0 && AllBehind(PlaneThrough(corners[0], normal), caster))
+  // The rectangle's own plane, and those through its sides and the light.
+  const Point3 normal = Cross(corners[1] - corners[0], corners[3] - corners[0]);
+  if (Separates(corners[0], normal, Dot(normal, towardLight(corners[0])), caster))
   {
     return true;
   }
@@ -277,13 +287,8 @@ bool ShadowPlan::NearPlaneIsFree(const Point4& light, const BoxCorners& caster) 
     const Point3& from = corners[i];
     const Point3& to = corners[(i + 1) % 4];
     const Point3& opposite = corners[(i + 2) % 4];
-    Point3 across = Cross(to - from, towardLight(from));
-    const double inner = Dot(across, opposite - from);
-    if (inner < 0.0)
-    {
-      across = { -across[0], -across[1], -across[2] };
-    }
-    if (inner != 0.0 && AllBehind(PlaneThrough(from, across), caster))
+    const Point3 across = Cross(to - from, towardLight(from));
+    if (Separates(from, across, Dot(across, opposite - from), caster))
     {
       return true;
     }
