@@ -104,7 +104,7 @@ public:
 
   /**
    * Key for vtkProp::SetPropertyKeys: 0 keeps an actor, or all parts of an assembly, from casting.
-   * Default 1.
+   * Parts cannot differ: VTK gives them the keys of the outermost assembly. Default 1.
    */
   static vtkInformationIntegerKey* CASTS_SHADOW();
 

@@ -69,7 +69,7 @@ std::vector<ShadowCaster> CollectShadowCasters(vtkRenderer* renderer, DataSetSur
     {
       vtkAssemblyNode* node = path->GetLastNode();
       vtkActor* actor = vtkActor::SafeDownCast(node->GetViewProp());
-      if (!actor || !actor->GetVisibility() || !MayCast(actor))
+      if (!actor || !actor->GetVisibility())
       {
         continue;
       }

@@ -29,8 +29,8 @@ struct ShadowCaster
 
 /**
  * The meshes (see CollectCasterMeshes) of visible actors, parts of assemblies included, but for
- * those that the key CASTS_SHADOW excludes (on the part or the assembly) and for those that have
- * been flattened by a singular matrix.
+ * those that the key CASTS_SHADOW excludes and for those that have been flattened by a singular
+ * matrix.
  */
 std::vector<ShadowCaster> CollectShadowCasters(vtkRenderer* renderer, DataSetSurfaces& surfaces);
 
