@@ -327,8 +327,7 @@ TEST(StencilShadowPass, KeysOfOneAmongSeveral)
     window->Render();
     RayObject box = { mesh };
     box.Casts = casts;
-    ExpectMask(
-      scene, light, PointLight, { { scene.GroundMesh }, box, { other }, { table } }, what);
+    ExpectMask(scene, light, PointLight, { { scene.GroundMesh }, box, { other }, { table } }, what);
   };
   check(true, "all cast");
   const Image all = Grab(window);

@@ -230,8 +230,8 @@ struct Glyphs
   vtkNew<vtkPolyData> Points;
   vtkNew<vtkGlyph3DMapper> Mapper;
   /// Not symmetric in any way: a box with another at a corner, and a ball off the middle.
-  Mesh Source = moved(merged({ box(0.5, 0.3, 0.2), moved(box(), 0.15, { 0.8, 0.2, 0.3 }) }), 0.6,
-    { 0.0, 0.0, 0.0 });
+  Mesh Source = moved(
+    merged({ box(0.5, 0.3, 0.2), moved(box(), 0.15, { 0.8, 0.2, 0.3 }) }), 0.6, { 0.0, 0.0, 0.0 });
   Mesh Other = moved(sphere(8, 16), 0.3, { 0.1, 0.1, 0.0 });
   vtkNew<vtkTransform> Transforms[4];
   bool Drawn[4] = { true, true, true, true };
@@ -370,8 +370,7 @@ void OrientByQuaternion(Glyphs& glyphs)
   // Half angles of 60 degrees: turns of 120.
   const double c = std::cos(vtkMath::Pi() / 3.0);
   const double s = std::sin(vtkMath::Pi() / 3.0);
-  glyphs.AddArray(
-    "turn", 4, { c, s, 0, 0, c, 0, s, 0, c, 0, 0, s, c, 0.6 * s, 0.0, 0.8 * s });
+  glyphs.AddArray("turn", 4, { c, s, 0, 0, c, 0, s, 0, c, 0, 0, s, c, 0.6 * s, 0.0, 0.8 * s });
   glyphs.Mapper->OrientOn();
   glyphs.Mapper->SetOrientationModeToQuaternion();
   glyphs.Mapper->SetOrientationArray("turn");
@@ -464,13 +463,13 @@ TEST(StencilShadowPass, GlyphsCastAsTheMapperPlacesThem)
     const char* Name;
     std::function<void(Glyphs&)> Prepare;
   };
-  for (const Case& test : std::vector<Case>{ { "plain", [](Glyphs&) {} },
-         { "magnitude", ScaleByMagnitude }, { "components", ScaleByComponents },
-         { "mirrored", Mirror }, { "clamped", Clamp }, { "flattened", Flatten },
-         { "rotation", OrientByRotation }, { "quaternion", OrientByQuaternion },
-         { "direction", OrientByDirection }, { "rotation and components", OrientAndScale },
-         { "masked", Mask }, { "indexed", IndexSources }, { "table", SourcesInATable },
-         { "blocks", PointsInBlocks } })
+  for (const Case& test :
+    std::vector<Case>{ { "plain", [](Glyphs&) {} }, { "magnitude", ScaleByMagnitude },
+      { "components", ScaleByComponents }, { "mirrored", Mirror }, { "clamped", Clamp },
+      { "flattened", Flatten }, { "rotation", OrientByRotation },
+      { "quaternion", OrientByQuaternion }, { "direction", OrientByDirection },
+      { "rotation and components", OrientAndScale }, { "masked", Mask },
+      { "indexed", IndexSources }, { "table", SourcesInATable }, { "blocks", PointsInBlocks } })
   {
     SCOPED_TRACE(test.Name);
     for (const RayLight& position : BothLights)
@@ -569,9 +568,9 @@ TEST(StencilShadowPass, SurfacesOfDataSets)
     corners->GetPoint(i, corner.data());
     cut.addPoint(corner);
   }
-  for (const auto& face : std::vector<std::vector<vtkIdType>>{ { 0, 2, 3 }, { 0, 3, 1 },
-         { 0, 1, 5 }, { 0, 5, 4 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 5 }, { 2, 6, 3 },
-         { 4, 5, 6 }, { 3, 6, 5 } })
+  for (const auto& face :
+    std::vector<std::vector<vtkIdType>>{ { 0, 2, 3 }, { 0, 3, 1 }, { 0, 1, 5 }, { 0, 5, 4 },
+      { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 5 }, { 2, 6, 3 }, { 4, 5, 6 }, { 3, 6, 5 } })
   {
     cut.addTriangle(face[0], face[1], face[2]);
   }

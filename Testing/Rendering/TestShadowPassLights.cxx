@@ -177,14 +177,14 @@ TEST(StencilShadowPass, LightsWithATransform)
   double focus[3] = { 0.0, 0.0, 0.0 };
   transform->TransformPoint(focus, focus);
   window->Render();
-  ExpectMask(scene, light,
-    { place[0] - focus[0], place[1] - focus[1], place[2] - focus[2], 0.0 }, objects, "direction");
+  ExpectMask(scene, light, { place[0] - focus[0], place[1] - focus[1], place[2] - focus[2], 0.0 },
+    objects, "direction");
 }
 
 TEST(StencilShadowPass, LampsCastAllAround)
 {
-  // A lamp in a ring of boxes, low over the ground: shadows go out in all directions, those of boxes
-  // below it down and those of boxes above it nowhere that is seen. Cones change no mask.
+  // A lamp in a ring of boxes, low over the ground: shadows go out in all directions, those of
+  // boxes below it down and those of boxes above it nowhere that is seen. Cones change no mask.
   for (const double cone : { 180.0, 90.0, 60.0, 30.0, 5.0 })
   {
     Scene scene;
@@ -192,8 +192,8 @@ TEST(StencilShadowPass, LampsCastAllAround)
     for (int i = 0; i < 6; ++i)
     {
       const double angle = vtkMath::Pi() * i / 3.0;
-      objects.push_back({ moved(box(), 0.25,
-        { 1.4 * std::cos(angle), 1.4 * std::sin(angle), 0.4 + 0.1 * i }, 11) });
+      objects.push_back({ moved(
+        box(), 0.25, { 1.4 * std::cos(angle), 1.4 * std::sin(angle), 0.4 + 0.1 * i }, 11) });
       scene.Add(objects.back().Surface);
     }
     const RayLight lamp = { 0.0, 0.1, 1.0, 1.0 };

@@ -40,7 +40,8 @@ using namespace shadowtest;
 
 /**
  * The picture must be composed of those without the pass, where `light` is the only casting light,
- * by a mask that is that of the objects over the ground. Exact: a light times 1 or 0 rounds nothing.
+ * by a mask that is that of the objects over the ground. Exact: a light times 1 or 0 rounds
+ * nothing.
  */
 void ExpectComposed(Scene& scene, vtkLight* light, const RayLight& position,
   std::vector<RayObject> objects, const char* what)
@@ -241,32 +242,31 @@ TEST(StencilShadowPass, LightsShineAsWithoutThePass)
     RayLight Light;
     std::function<void(vtkLight*)> Prepare;
   };
-  for (const Case& test : std::vector<Case>{
-         { "cone", PointLight, [](vtkLight* light) { light->SetConeAngle(25.0); } },
-         { "cone with a falloff", PointLight,
-           [](vtkLight* light) {
-             light->SetConeAngle(40.0);
-             light->SetExponent(12.0);
-           } },
-         { "cone to the side", { -2.5, -1.5, 2.5, 1.0 },
-           [](vtkLight* light) {
-             light->SetConeAngle(35.0);
-             light->SetFocalPoint(0.3, 0.2, 0.8);
-           } },
-         { "attenuation", PointLight,
-           [](vtkLight* light) { light->SetAttenuationValues(0.2, 0.1, 0.05); } },
-         { "attenuated cone", PointLight,
-           [](vtkLight* light) {
-             light->SetConeAngle(30.0);
-             light->SetAttenuationValues(0.3, 0.2, 0.0);
-           } },
-         { "intensity above 1", DirectionalLight,
-           [](vtkLight* light) { light->SetIntensity(3.0); } },
-         { "faint", PointLight, [](vtkLight* light) { light->SetIntensity(0.3); } },
-         { "colour", PointLight, [](vtkLight* light) {
-            light->SetDiffuseColor(1.0, 0.4, 0.2);
-            light->SetSpecularColor(0.2, 0.5, 1.0);
-          } } })
+  for (const Case& test :
+    std::vector<Case>{ { "cone", PointLight, [](vtkLight* light) { light->SetConeAngle(25.0); } },
+      { "cone with a falloff", PointLight,
+        [](vtkLight* light) {
+          light->SetConeAngle(40.0);
+          light->SetExponent(12.0);
+        } },
+      { "cone to the side", { -2.5, -1.5, 2.5, 1.0 },
+        [](vtkLight* light) {
+          light->SetConeAngle(35.0);
+          light->SetFocalPoint(0.3, 0.2, 0.8);
+        } },
+      { "attenuation", PointLight,
+        [](vtkLight* light) { light->SetAttenuationValues(0.2, 0.1, 0.05); } },
+      { "attenuated cone", PointLight,
+        [](vtkLight* light) {
+          light->SetConeAngle(30.0);
+          light->SetAttenuationValues(0.3, 0.2, 0.0);
+        } },
+      { "intensity above 1", DirectionalLight, [](vtkLight* light) { light->SetIntensity(3.0); } },
+      { "faint", PointLight, [](vtkLight* light) { light->SetIntensity(0.3); } },
+      { "colour", PointLight, [](vtkLight* light) {
+         light->SetDiffuseColor(1.0, 0.4, 0.2);
+         light->SetSpecularColor(0.2, 0.5, 1.0);
+       } } })
   {
     for (const bool physical : { false, true })
     {
@@ -350,7 +350,6 @@ TEST(StencilShadowPass, GlyphsInTheirColours)
     actor->GetProperty()->SetInterpolation(physical ? VTK_PBR : VTK_PHONG);
     scene.Renderer->AddActor(actor);
     vtkSmartPointer<vtkLight> light = scene.AddLight(PointLight);
-    ExpectComposed(
-      scene, light, PointLight, { { merged(copies) } }, physical ? "PBR" : "Phong");
+    ExpectComposed(scene, light, PointLight, { { merged(copies) } }, physical ? "PBR" : "Phong");
   }
 }

@@ -77,8 +77,7 @@ std::vector<CasterMesh> CollectCasterMeshes(vtkActor* actor, DataSetSurfaces& su
 {
   vtkMapper* mapper = actor->GetMapper();
   if (!mapper || mapper->GetNumberOfInputConnections(0) == 0 || DrawsSplats(mapper) ||
-    vtkSkybox::SafeDownCast(actor) ||
-    actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
+    vtkSkybox::SafeDownCast(actor) || actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
   {
     return {};
   }

@@ -79,8 +79,8 @@ std::vector<vtkPolyData*> CollectOpaqueBlocks(vtkCompositePolyDataMapper2* mappe
   std::vector<vtkPolyData*> meshes;
   if (!actor->GetTexture() || !actor->GetTexture()->IsTranslucent())
   {
-    AddOpaqueBlocks(mapper->GetInputDataObject(0, 0), true, actor->GetProperty()->GetOpacity(),
-      mapper, meshes);
+    AddOpaqueBlocks(
+      mapper->GetInputDataObject(0, 0), true, actor->GetProperty()->GetOpacity(), mapper, meshes);
   }
   return meshes;
 }

@@ -22,8 +22,8 @@
 namespace
 {
 /**
- * The mapper's arrays for one data set; null where it uses none. Only the mapper itself knows how it
- * finds them, and keeps that to its subclasses.
+ * The mapper's arrays for one data set; null where it uses none. Only the mapper itself knows how
+ * it finds them, and keeps that to its subclasses.
  */
 class GlyphArrays : public vtkGlyph3DMapper
 {
@@ -138,8 +138,8 @@ vtkQuaterniond FindOrientation(vtkGlyph3DMapper* mapper, vtkDataArray* array, vt
   return result;
 }
 
-Matrix4 FindMatrix(vtkGlyph3DMapper* mapper, vtkDataSet* points, const GlyphArrays::Found& arrays,
-  vtkIdType point)
+Matrix4 FindMatrix(
+  vtkGlyph3DMapper* mapper, vtkDataSet* points, const GlyphArrays::Found& arrays, vtkIdType point)
 {
   double rotation[3][3];
   FindOrientation(mapper, arrays.Orientation, point).ToMatrix3x3(rotation);
@@ -190,8 +190,8 @@ std::size_t FindSource(
   {
     return 0;
   }
-  const double place = (NormOf(array, point) - mapper->GetRange()[0]) *
-    static_cast<double>(count) / RangeOf(mapper);
+  const double place =
+    (NormOf(array, point) - mapper->GetRange()[0]) * static_cast<double>(count) / RangeOf(mapper);
   return static_cast<std::size_t>(std::max(0.0, std::min(place, static_cast<double>(count - 1))));
 }
 

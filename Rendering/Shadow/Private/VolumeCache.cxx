@@ -8,8 +8,8 @@ const VolumeBuffers& VolumeCache::Get(vtkRenderer* renderer, vtkPolyData* mesh,
   const std::array<double, 4>& light, const Quality& quality, unsigned int attribute)
 {
   Caster& caster = this->Casters[mesh];
-  const auto [found, isNew] = caster.Volumes.try_emplace(
-    Key(mesh->GetMTime(), light, quality.Kind, quality.Tolerance));
+  const auto [found, isNew] =
+    caster.Volumes.try_emplace(Key(mesh->GetMTime(), light, quality.Kind, quality.Tolerance));
   Volume& volume = found->second;
   volume.Renderer = renderer;
   volume.Frame = this->Frame;

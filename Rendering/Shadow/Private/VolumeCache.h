@@ -2,9 +2,9 @@
  * The shadow volumes of the frame, kept as long as nothing moves.
  *
  * A volume belongs to a mesh and a light in the mesh's coordinates, not to an actor: actors or
- * glyphs that share a mesh share volumes where the light is the same for them, and an actor that is moved along with its light, or along a
- * directional light, keeps its own. The filters of a mesh serve all of its lights in turn, so what
- * they keep about the mesh is made once.
+ * glyphs that share a mesh share volumes where the light is the same for them, and an actor that is
+ * moved along with its light, or along a directional light, keeps its own. The filters of a mesh
+ * serve all of its lights in turn, so what they keep about the mesh is made once.
  */
 #ifndef VolumeCache_h
 #define VolumeCache_h
