@@ -1,5 +1,6 @@
 #include "vtkStencilShadowPass.h"
 
+#include "DataSetSurfaces.h"
 #include "MaskedLighting.h"
 #include "Matrix4.h"
 #include "OpenGLFunctions.h"
@@ -114,6 +115,7 @@ public:
   ShadowFramebuffer Target;
   VolumeCounter Counter;
   VolumeCache Volumes;
+  DataSetSurfaces Surfaces;
 
   // A light's place is its mask's number.
   std::vector<vtkWeakPointer<vtkLight>> MaskedLights;
@@ -171,7 +173,7 @@ std::string vtkStencilShadowPass::Internals::DrawMasks(vtkRenderer* renderer,
 {
   vtkOpenGLState* state = this->Window->GetState();
   const Matrix4 worldToClip = FindWorldToClip(renderer);
-  const std::vector<ShadowCaster> casters = CollectShadowCasters(renderer);
+  const std::vector<ShadowCaster> casters = CollectShadowCasters(renderer, this->Surfaces);
   this->Volumes.BeginFrame();
   std::string error;
   for (std::size_t i = 0; i < lights.size(); ++i)
