@@ -4,6 +4,7 @@
 #include "Matrix4.h"
 #include "OpenGLFunctions.h"
 #include "RenderPassKeys.h"
+#include "RendererSteps.h"
 #include "RestoredState.h"
 #include "ShadowCasters.h"
 #include "ShadowFramebuffer.h"
@@ -25,7 +26,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
-#include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureUnitManager.h"
@@ -105,7 +105,7 @@ public:
     const VolumeCache::Quality& quality);
 
   LightSwitches Switches;
-  vtkNew<vtkRenderStepsPass> DefaultDelegate;
+  vtkSmartPointer<vtkRenderPass> DefaultDelegate = MakeRendererSteps();
   vtkNew<vtkOpaquePass> DepthPass;
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
@@ -224,7 +224,7 @@ void vtkStencilShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   }
   else
   {
-    os << "(none: vtkRenderStepsPass)\n";
+    os << "(none: as the renderer draws without a pass)\n";
   }
   os << indent << "Kind: " << kinds[this->Kind] << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
