@@ -25,6 +25,7 @@
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -34,6 +35,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 vtkStandardNewMacro(vtkStencilShadowPass);
 vtkCxxSetObjectMacro(vtkStencilShadowPass, DelegatePass, vtkRenderPass);
@@ -149,6 +151,26 @@ std::array<int, 2> FindSize(const vtkRenderState* state)
     state->GetRenderer()->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
   }
   return size;
+}
+
+/**
+ * The props that the depth stage draws. Lines of which some are removed as hidden are not among them:
+ * what is seen behind those would get their mask.
+ */
+std::vector<vtkProp*> FindOccluders(const vtkRenderState* state)
+{
+  std::vector<vtkProp*> props;
+  for (int i = 0; i < state->GetPropArrayCount(); ++i)
+  {
+    vtkProp* prop = state->GetPropArray()[i];
+    vtkActor* actor = vtkActor::SafeDownCast(prop);
+    if (!actor || !state->GetRenderer()->GetUseHiddenLineRemoval() ||
+      actor->GetProperty()->GetRepresentation() != VTK_WIREFRAME)
+    {
+      props.push_back(prop);
+    }
+  }
+  return props;
 }
 
 Matrix4 FindWorldToClip(vtkRenderer* renderer)
@@ -312,7 +334,12 @@ bool vtkStencilShadowPass::MakeMasks(const vtkRenderState* state)
   glState->vtkglDisable(GL_BLEND);
   {
     const LoneRenderPass lone(state, this);
-    internal.DepthPass->Render(state);
+    std::vector<vtkProp*> props = FindOccluders(state);
+    vtkRenderState occluders(renderer);
+    occluders.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+    occluders.SetFrameBuffer(state->GetFrameBuffer());
+    occluders.SetRequiredKeys(state->GetRequiredKeys());
+    internal.DepthPass->Render(&occluders);
   }
 
   const std::string tooFewBits =
