@@ -426,6 +426,10 @@ bool vtkStencilShadowPass::PostReplaceShaderValues(
 bool vtkStencilShadowPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
+  // A program may serve several renderers of a window, each with lights of its own, but VTK sends
+  // lights only if they are newer than those that were sent last, whoever's these were.
+  program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+
   Internals& internal = *this->Internal;
   if (!internal.Window || !program->IsUniformUsed("stencilShadowMasks"))
   {
