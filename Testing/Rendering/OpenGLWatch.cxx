@@ -22,8 +22,8 @@ namespace
 /// Names are handed out in order and used again, so all lie below this.
 constexpr unsigned int MostNames = 1u << 14;
 
-void GLAPIENTRY Note(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message,
-  const void* raised)
+void GLAPIENTRY Note(
+  GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message, const void* raised)
 {
   if (type == GL_DEBUG_TYPE_ERROR)
   {

@@ -122,8 +122,7 @@ Color PictureOracle::GetColor(int x, int y) const
 bool PictureOracle::IsNearEdge(int x, int y, int pixels) const
 {
   const int border = pixels - 1;
-  if (x < border || y < border || x >= this->GetWidth() - border ||
-    y >= this->GetHeight() - border)
+  if (x < border || y < border || x >= this->GetWidth() - border || y >= this->GetHeight() - border)
   {
     return true;
   }
@@ -165,8 +164,8 @@ void ExpectPicture(
       for (std::size_t i = 0; i < 3; ++i)
       {
         const double expected = 255.0 * std::min((*color)[i], 1.0);
-        const double shown = Byte(picture, expectation.Origin[0] + x, expectation.Origin[1] + y,
-          static_cast<int>(i));
+        const double shown =
+          Byte(picture, expectation.Origin[0] + x, expectation.Origin[1] + y, static_cast<int>(i));
         wrong = wrong || std::abs(shown - expected) > tolerance::Shade;
       }
       tally.Add(oracle.GetKind(x, y), wrong, x, y);
@@ -198,8 +197,8 @@ void ExpectComposed(const PictureOracle& oracle, vtkImageData* picture, vtkImage
         const int whenUnlit = Byte(unlit, place[0], place[1], i);
         const int expected = kind == PictureOracle::Dark ? whenUnlit : whenLit;
         differ = differ || std::abs(whenLit - whenUnlit) > 4 * tolerance::SameShade;
-        wrong = wrong ||
-          std::abs(Byte(picture, place[0], place[1], i) - expected) > tolerance::SameShade;
+        wrong =
+          wrong || std::abs(Byte(picture, place[0], place[1], i) - expected) > tolerance::SameShade;
       }
       tally.Add(kind, wrong, x, y);
       told += differ && kind == PictureOracle::Dark;

@@ -22,7 +22,8 @@ using Color = std::array<double, 3>;
 
 /**
  * Actors as Scene::Add makes them, one light, and the renderer's background. The objects
- * have no matrices. The first of them is plane; each cell of the others is a face with an edge around it.
+ * have no matrices. The first of them is plane; each cell of the others is a face with an edge
+ * around it.
  */
 class PictureOracle
 {
@@ -73,10 +74,10 @@ struct PictureExpectation
   std::function<std::optional<Color>(const Color&, int x, int y)> Recolor;
 };
 
-/// Expects the picture to have the oracle's colours everywhere away from edges (tolerance::Shade), and
-/// enough of lit and dark ground, and of background, to tell.
-void ExpectPicture(const PictureOracle& oracle, vtkImageData* picture,
-  const PictureExpectation& expectation = {});
+/// Expects the picture to have the oracle's colours everywhere away from edges (tolerance::Shade),
+/// and enough of lit and dark ground, and of background, to tell.
+void ExpectPicture(
+  const PictureOracle& oracle, vtkImageData* picture, const PictureExpectation& expectation = {});
 
 /// Expects the picture to be, away from edges, as `unlit` where the oracle says dark, and elsewhere
 /// as `lit`: pictures of the same chain of passes without shadows, the light on and off

@@ -115,7 +115,8 @@ constexpr double StrayPixels = 3e-6;
 /// and positions that shaders have in float.
 constexpr double Shade = 2.0;
 
-/// Steps of 255: a colour that was shaded by the same formula, but rounded in another buffer or viewport.
+/// Steps of 255: a colour that was shaded by the same formula, but rounded in another buffer or
+/// viewport.
 constexpr int SameShade = 1;
 
 /// Share of pixels, and greatest difference of a channel (0 to 255), by which the pictures of two
