@@ -5,6 +5,7 @@
 #include "Matrix4.h"
 #include "OpenGLFunctions.h"
 #include "RenderPassKeys.h"
+#include "RendererSteps.h"
 #include "RestoredState.h"
 #include "ShadowCasters.h"
 #include "ShadowFramebuffer.h"
@@ -25,8 +26,8 @@
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkProperty.h"
 #include "vtkRenderState.h"
-#include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureUnitManager.h"
@@ -36,6 +37,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <set>
+#include <vector>
 
 vtkStandardNewMacro(vtkStencilShadowPass);
 vtkCxxSetObjectMacro(vtkStencilShadowPass, DelegatePass, vtkRenderPass);
@@ -107,7 +109,7 @@ public:
     const VolumeCache::Quality& quality);
 
   LightSwitches Switches;
-  vtkNew<vtkRenderStepsPass> DefaultDelegate;
+  vtkSmartPointer<vtkRenderPass> DefaultDelegate = MakeRendererSteps();
   vtkNew<vtkOpaquePass> DepthPass;
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
@@ -152,6 +154,26 @@ std::array<int, 2> FindSize(const vtkRenderState* state)
     state->GetRenderer()->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
   }
   return size;
+}
+
+/**
+ * The props that the depth stage draws. Lines of which some are removed as hidden are not among them:
+ * what is seen behind those would get their mask.
+ */
+std::vector<vtkProp*> FindOccluders(const vtkRenderState* state)
+{
+  std::vector<vtkProp*> props;
+  for (int i = 0; i < state->GetPropArrayCount(); ++i)
+  {
+    vtkProp* prop = state->GetPropArray()[i];
+    vtkActor* actor = vtkActor::SafeDownCast(prop);
+    if (!actor || !state->GetRenderer()->GetUseHiddenLineRemoval() ||
+      actor->GetProperty()->GetRepresentation() != VTK_WIREFRAME)
+    {
+      props.push_back(prop);
+    }
+  }
+  return props;
 }
 
 Matrix4 FindWorldToClip(vtkRenderer* renderer)
@@ -227,7 +249,7 @@ void vtkStencilShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   }
   else
   {
-    os << "(none: vtkRenderStepsPass)\n";
+    os << "(none: as the renderer draws without a pass)\n";
   }
   os << indent << "Kind: " << kinds[this->Kind] << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
@@ -315,7 +337,12 @@ bool vtkStencilShadowPass::MakeMasks(const vtkRenderState* state)
   glState->vtkglDisable(GL_BLEND);
   {
     const LoneRenderPass lone(state, this);
-    internal.DepthPass->Render(state);
+    std::vector<vtkProp*> props = FindOccluders(state);
+    vtkRenderState occluders(renderer);
+    occluders.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+    occluders.SetFrameBuffer(state->GetFrameBuffer());
+    occluders.SetRequiredKeys(state->GetRequiredKeys());
+    internal.DepthPass->Render(&occluders);
   }
 
   const std::string tooFewBits =
@@ -401,6 +428,10 @@ bool vtkStencilShadowPass::PostReplaceShaderValues(
 bool vtkStencilShadowPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
+  // A program may serve several renderers of a window, each with lights of its own, but VTK sends
+  // lights only if they are newer than those that were sent last, whoever's these were.
+  program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+
   Internals& internal = *this->Internal;
   if (!internal.Window || !program->IsUniformUsed("stencilShadowMasks"))
   {

@@ -43,7 +43,8 @@
  * detail of glyphs, faces that are culled and holes in textures are not seen in shadows.
  * Translucent actors and blocks neither cast nor are darkened. The mask has one value a pixel, so
  * multisampling does not smooth shadow edges: put vtkSSAAPass around. While something is being
- * selected, the delegate draws without shadows.
+ * selected, the delegate draws without shadows. Wireframe actors of a renderer that removes hidden
+ * lines take the shadows of what is behind their lines.
  *
  * Errors: where OpenGL cannot give the framebuffer, with 8 bits of stencil, there is one warning
  * and no shadows; where it cannot draw floats that counts need, one warning.
@@ -77,8 +78,9 @@ public:
 
   ///@{
   /**
-   * The pass that draws the scene. Default (null): lights and opaque, translucent, volumetric and
-   * overlay geometry, as vtkRenderStepsPass draws them.
+   * The pass that draws the scene. Default (null): all that the renderer draws without a pass, with
+   * its depth peeling, hidden-line removal, ambient occlusion and FXAA. Within passes that have a
+   * framebuffer of their own, as vtkSSAAPass, it draws as vtkRenderStepsPass.
    */
   void SetDelegatePass(vtkRenderPass* delegate);
   vtkGetObjectMacro(DelegatePass, vtkRenderPass);
