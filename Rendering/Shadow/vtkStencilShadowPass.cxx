@@ -1,9 +1,11 @@
 #include "vtkStencilShadowPass.h"
 
+#include "DataSetSurfaces.h"
 #include "MaskedLighting.h"
 #include "Matrix4.h"
 #include "OpenGLFunctions.h"
 #include "RenderPassKeys.h"
+#include "RendererSteps.h"
 #include "RestoredState.h"
 #include "ShadowCasters.h"
 #include "ShadowFramebuffer.h"
@@ -15,10 +17,12 @@
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCommand.h"
+#include "vtkDoubleArray.h"
 #include "vtkFrameBufferObjectBase.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkIntArray.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
@@ -29,14 +33,12 @@
 #include "vtkOpenGLState.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty.h"
 #include "vtkRenderState.h"
-#include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
-#include "vtkIntArray.h"
 #include "vtkShaderProgram.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
-#include "vtkDoubleArray.h"
 #include "vtkTextureUnitManager.h"
 #include "vtkTimeStamp.h"
 #include "vtkTimerLog.h"
@@ -45,6 +47,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <set>
+#include <vector>
 
 vtkStandardNewMacro(vtkStencilShadowPass);
 vtkCxxSetObjectMacro(vtkStencilShadowPass, DelegatePass, vtkRenderPass);
@@ -127,7 +130,7 @@ public:
     const ShadowCaster& caster, const Matrix4& worldToClip);
 
   LightSwitches Switches;
-  vtkNew<vtkRenderStepsPass> DefaultDelegate;
+  vtkSmartPointer<vtkRenderPass> DefaultDelegate = MakeRendererSteps();
   vtkNew<vtkOpaquePass> DepthPass;
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
@@ -135,6 +138,7 @@ public:
   ShadowFramebuffer Target;
   VolumeCounter Counter;
   VolumeCache Volumes;
+  DataSetSurfaces Surfaces;
 
   struct PlanRow
   {
@@ -238,6 +242,26 @@ std::array<double, 4> MovePlane(const std::array<double, 4>& plane, const Matrix
   return moved;
 }
 
+/**
+ * The props that the depth stage draws. Lines of which some are removed as hidden are not among them:
+ * what is seen behind those would get their mask.
+ */
+std::vector<vtkProp*> FindOccluders(const vtkRenderState* state)
+{
+  std::vector<vtkProp*> props;
+  for (int i = 0; i < state->GetPropArrayCount(); ++i)
+  {
+    vtkProp* prop = state->GetPropArray()[i];
+    vtkActor* actor = vtkActor::SafeDownCast(prop);
+    if (!actor || !state->GetRenderer()->GetUseHiddenLineRemoval() ||
+      actor->GetProperty()->GetRepresentation() != VTK_WIREFRAME)
+    {
+      props.push_back(prop);
+    }
+  }
+  return props;
+}
+
 Matrix4 FindWorldToClip(vtkRenderer* renderer)
 {
   auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
@@ -260,7 +284,7 @@ std::string vtkStencilShadowPass::Internals::DrawMasks(vtkRenderer* renderer,
   const Matrix4 worldToClip = FindWorldToClip(renderer);
   const ShadowPlan plan({ worldToClip, this->Target.GetWidth(), this->Target.GetHeight() },
     FindReceiverBounds(renderer), rules);
-  const std::vector<ShadowCaster> casters = CollectShadowCasters(renderer);
+  const std::vector<ShadowCaster> casters = CollectShadowCasters(renderer, this->Surfaces);
   this->Volumes.BeginFrame();
   this->Plan.clear();
   std::string error;
@@ -365,7 +389,7 @@ void vtkStencilShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   }
   else
   {
-    os << "(none: vtkRenderStepsPass)\n";
+    os << "(none: as the renderer draws without a pass)\n";
   }
   os << indent << "Kind: " << kinds[this->Kind] << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
@@ -458,7 +482,12 @@ bool vtkStencilShadowPass::MakeMasks(const vtkRenderState* state)
   glState->vtkglDisable(GL_BLEND);
   {
     const LoneRenderPass lone(state, this);
-    internal.DepthPass->Render(state);
+    std::vector<vtkProp*> props = FindOccluders(state);
+    vtkRenderState occluders(renderer);
+    occluders.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+    occluders.SetFrameBuffer(state->GetFrameBuffer());
+    occluders.SetRequiredKeys(state->GetRequiredKeys());
+    internal.DepthPass->Render(&occluders);
   }
 
   const std::string tooFewBits =
@@ -575,6 +604,10 @@ bool vtkStencilShadowPass::PostReplaceShaderValues(
 bool vtkStencilShadowPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
+  // A program may serve several renderers of a window, each with lights of its own, but VTK sends
+  // lights only if they are newer than those that were sent last, whoever's these were.
+  program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+
   Internals& internal = *this->Internal;
   if (!internal.Window || !program->IsUniformUsed("stencilShadowMasks"))
   {

@@ -26,15 +26,25 @@
  * without the pass), directional ones along their direction. A headlight casts nothing: what it
  * lights is never in its shadow.
  *
- * Casters: visible opaque surfaces whose mapper is a vtkPolyDataMapper, parts of assemblies
- * included, seen by the camera or not, each with its matrix, which may mirror. Everything opaque
- * receives.
+ * Casters: what visible actors draw as opaque surfaces, parts of assemblies included, seen by the
+ * camera or not, each with its matrix, which may mirror. By mapper:
+ * - vtkPolyDataMapper: polygons and strips; lines and vertices cast nothing.
+ * - vtkCompositePolyDataMapper2: the blocks that are visible and opaque, by
+ *   vtkCompositeDataDisplayAttributes and their scalars; vtkCompositePolyDataMapper: all blocks.
+ * - vtkGlyph3DMapper: each glyph where the mapper puts it. It has a volume of its own, unless its
+ *   light is the same in the source's coordinates as another's, as along a direction where glyphs
+ *   are only moved.
+ * - vtkDataSetMapper: the surface of the data, which is extracted a second time.
+ * Everything opaque receives.
  *
- * Limits: composite and glyph mappers receive but do not cast. Clipping planes of mappers,
- * replacements in their shaders and holes in textures are not seen in shadows. Translucent actors
- * neither cast nor are darkened. The mask has one value a pixel, so multisampling does not smooth
- * shadow edges: put vtkSSAAPass around. While something is being selected, the delegate draws
- * without shadows.
+ * Limits: other mappers receive but do not cast (vtkMoleculeMapper), nor do mappers that draw
+ * splats at points (vtkPointGaussianMapper), actors drawn as wireframe or points, props that are no
+ * vtkActor (vtkLODProp3D). Clipping planes of mappers, replacements in their shaders, levels of
+ * detail of glyphs, faces that are culled and holes in textures are not seen in shadows.
+ * Translucent actors and blocks neither cast nor are darkened. The mask has one value a pixel, so
+ * multisampling does not smooth shadow edges: put vtkSSAAPass around. While something is being
+ * selected, the delegate draws without shadows. Wireframe actors of a renderer that removes hidden
+ * lines take the shadows of what is behind their lines.
  *
  * Errors: where OpenGL cannot give the framebuffer, with 8 bits of stencil, there is one warning
  * and no shadows; where it cannot draw floats that counts need, one warning.
@@ -69,8 +79,9 @@ public:
 
   ///@{
   /**
-   * The pass that draws the scene. Default (null): lights and opaque, translucent, volumetric and
-   * overlay geometry, as vtkRenderStepsPass draws them.
+   * The pass that draws the scene. Default (null): all that the renderer draws without a pass, with
+   * its depth peeling, hidden-line removal, ambient occlusion and FXAA. Within passes that have a
+   * framebuffer of their own, as vtkSSAAPass, it draws as vtkRenderStepsPass.
    */
   void SetDelegatePass(vtkRenderPass* delegate);
   vtkGetObjectMacro(DelegatePass, vtkRenderPass);
@@ -162,7 +173,7 @@ public:
 
   /**
    * Key for vtkProp::SetPropertyKeys: 0 keeps an actor, or all parts of an assembly, from casting.
-   * Default 1.
+   * Parts cannot differ: VTK gives them the keys of the outermost assembly. Default 1.
    */
   static vtkInformationIntegerKey* CASTS_SHADOW();
 
@@ -183,6 +194,7 @@ public:
 
   /**
    * How many shadow volumes the last frame had to make; all others were those of a frame before.
+   * Each light has one of each caster: an actor's mesh, block or glyph.
    */
   int GetNumberOfVolumesMade();
 

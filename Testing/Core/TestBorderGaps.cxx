@@ -90,6 +90,27 @@ TEST(BorderGaps, TrianglesApartAreJudgedByTheirPlaces)
   EXPECT_EQ(gaps.nearSeams.place, Vec3(0.0, 1.0, 0.0));
 }
 
+TEST(BorderGaps, TheFinestTriangleAtAPlaceSaysWhatIsNear)
+{
+  const std::vector<Vec3> fine{ { 0.0, 0.0, 0.0 }, { -1e-3, 0.0, 0.0 }, { 0.0, -1e-3, 0.0 } };
+  const std::vector<Vec3> coarse{ { 0.0, 0.0, 0.0 }, { -1.0, 0.0, 0.0 }, { 0.0, -1.0, 0.0 } };
+  const std::vector<Vec3> beside{ { 0.01, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 1.0, 1.0, 0.0 } };
+  const auto nearSeams = [](const std::vector<std::vector<Vec3>>& triangles)
+  {
+    TriangleMesh mesh;
+    for (const std::vector<Vec3>& corners : triangles)
+    {
+      const Index first = static_cast<Index>(mesh.points.size());
+      mesh.points.insert(mesh.points.end(), corners.begin(), corners.end());
+      mesh.triangles.push_back({ first, first + 1, first + 2 });
+    }
+    return gapsOf(mesh, 1.0).nearSeams.count;
+  };
+  EXPECT_EQ(nearSeams({ coarse, beside }), 2u);
+  EXPECT_EQ(nearSeams({ coarse, fine, beside }), 0u);
+  EXPECT_EQ(nearSeams({ fine, coarse, beside }), 0u);
+}
+
 // Neither vertices at one place nor those that many edges touch are kept or visited in pairs.
 TEST(BorderGaps, FansOfTrianglesApartHaveNone)
 {

@@ -90,9 +90,9 @@ Scene::Scene()
 vtkSmartPointer<vtkActor> Scene::Add(vtkPolyData* mesh)
 {
   vtkSmartPointer<vtkActor> actor = MakeActor(mesh);
-  actor->GetProperty()->SetColor(1.0, 0.9, 0.8);
-  actor->GetProperty()->SetAmbient(0.125);
-  actor->GetProperty()->SetDiffuse(0.75);
+  actor->GetProperty()->SetColor(Red, Green, Blue);
+  actor->GetProperty()->SetAmbient(Ambient);
+  actor->GetProperty()->SetDiffuse(Diffuse);
   this->Renderer->AddActor(actor);
   return actor;
 }

@@ -56,6 +56,13 @@ Mesh FloatingBox();
  */
 struct Scene
 {
+  /// What actors are made of.
+  static constexpr double Red = 1.0;
+  static constexpr double Green = 0.9;
+  static constexpr double Blue = 0.8;
+  static constexpr double Ambient = 0.125;
+  static constexpr double Diffuse = 0.75;
+
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkStencilShadowPass> Pass;
   Mesh GroundMesh = ground(0.0, 4.0, 3);
@@ -63,7 +70,7 @@ struct Scene
 
   Scene();
 
-  /// An actor of colour (1, 0.9, 0.8), of which 0.125 is ambient and 0.75 diffuse.
+  /// An actor of the colour and with the shares of ambient and diffuse light above.
   vtkSmartPointer<vtkActor> Add(vtkPolyData* mesh);
 
   /// See MakeLight.

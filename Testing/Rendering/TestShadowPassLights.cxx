@@ -10,11 +10,13 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkLight.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkTransform.h>
 
 #include <gtest/gtest.h>
 
@@ -29,17 +31,18 @@ TEST(StencilShadowPass, ManyLightsEachItsMask)
   Scene scene;
   const Mesh mesh = FloatingBox();
   scene.Add(mesh);
-  // Two layers of masks; a headlight and one that is off lie between, so that numbers of lights,
+  // Three layers of masks; a headlight and one that is off lie between, so that numbers of lights,
   // of lights that are on, and of masks all differ.
   const std::vector<RayLight> positions = { { 1.5, 1.0, 4.0, 1.0 }, { 2.0, 1.0, 4.0, 0.0 },
     { -2.0, 1.0, 3.0, 1.0 }, { 0.5, -2.0, 4.0, 0.0 }, { 0.1, 2.5, 3.0, 1.0 },
-    { -1.0, 0.4, 5.0, 0.0 } };
+    { -1.0, 0.4, 5.0, 0.0 }, { 2.5, -1.5, 3.5, 1.0 }, { -2.0, -1.0, 5.0, 0.0 },
+    { -1.5, 2.0, 4.0, 1.0 } };
   std::vector<vtkSmartPointer<vtkLight>> lights;
   vtkSmartPointer<vtkLight> headlight;
   for (const RayLight& position : positions)
   {
-    lights.push_back(scene.AddLight(position, 0.03 + 0.03 * static_cast<double>(lights.size())));
-    lights.back()->SetDiffuseColor(1.0, 0.2 * static_cast<double>(lights.size()) - 0.2, 0.5);
+    lights.push_back(scene.AddLight(position, 0.02 + 0.02 * static_cast<double>(lights.size())));
+    lights.back()->SetDiffuseColor(1.0, 0.1 * static_cast<double>(lights.size()), 0.5);
     if (lights.size() == 1)
     {
       scene.AddLight({ 0.0, 0.0, 3.0, 1.0 })->SwitchOff();
@@ -108,6 +111,100 @@ TEST(StencilShadowPass, ManyLightsEachItsMask)
   }
   EXPECT_GT(checked, 8000);
   EXPECT_EQ(wrong, 0);
+}
+
+TEST(StencilShadowPass, CameraLightsGoWithTheCamera)
+{
+  for (const bool positional : { false, true })
+  {
+    Scene scene;
+    const Mesh mesh = FloatingBox();
+    scene.Add(mesh);
+    auto light = vtkSmartPointer<vtkLight>::New();
+    light->SetLightTypeToCameraLight();
+    light->SetPositional(positional);
+    light->SetConeAngle(180.0);
+    light->SetPosition(0.4, 0.5, 0.9);
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+    scene.Renderer->AddLight(light);
+    vtkSmartPointer<vtkLight> still = scene.AddLight(DirectionalLight, 0.3);
+    auto window = MakeWindow(240, 180);
+    window->AddRenderer(scene.Renderer);
+    const std::vector<RayObject> objects = { { scene.GroundMesh }, { mesh } };
+    for (const Vec3& eye : std::vector<Vec3>{ { -3, -6, 5 }, { 4, -5, 4 }, { 1, 5, 6 } })
+    {
+      scene.Look(eye[0], eye[1], eye[2]);
+      window->Render();
+      // The camera's axes at its focal point, where units are its distance.
+      const Vec3 focus = { 0.0, 0.0, 0.5 };
+      const Vec3 toEye = eye - focus;
+      const double distance = std::sqrt(dot(toEye, toEye));
+      const Vec3 back = normalized(toEye);
+      const Vec3 right = normalized(cross({ 0.0, 0.0, 1.0 }, back));
+      const Vec3 up = cross(back, right);
+      const Vec3 offset = distance * (0.4 * right + 0.5 * up + 0.9 * back);
+      const Vec3 place = focus + offset;
+      const RayLight position = positional ? RayLight{ place[0], place[1], place[2], 1.0 }
+                                           : RayLight{ offset[0], offset[1], offset[2], 0.0 };
+      ExpectMask(scene, light, position, objects, "with the camera");
+      ExpectMask(scene, still, DirectionalLight, objects, "in the scene");
+    }
+    // The camera turned, the light of the scene did not: only that of the camera is made again.
+    EXPECT_EQ(scene.Pass->GetNumberOfVolumesMade(), 2);
+  }
+}
+
+TEST(StencilShadowPass, LightsWithATransform)
+{
+  Scene scene;
+  const Mesh mesh = FloatingBox();
+  scene.Add(mesh);
+  vtkSmartPointer<vtkLight> light = scene.AddLight({ 0.0, 1.0, 2.0, 1.0 });
+  vtkNew<vtkTransform> transform;
+  transform->Translate(-0.5, 0.3, 1.0);
+  transform->RotateZ(70.0);
+  transform->Scale(1.5, 1.5, 1.5);
+  light->SetTransformMatrix(transform->GetMatrix());
+  double place[3] = { 0.0, 1.0, 2.0 };
+  transform->TransformPoint(place, place);
+  auto window = MakeWindow(240, 180);
+  window->AddRenderer(scene.Renderer);
+  window->Render();
+  const std::vector<RayObject> objects = { { scene.GroundMesh }, { mesh } };
+  ExpectMask(scene, light, { place[0], place[1], place[2], 1.0 }, objects, "lamp");
+
+  light->PositionalOff();
+  double focus[3] = { 0.0, 0.0, 0.0 };
+  transform->TransformPoint(focus, focus);
+  window->Render();
+  ExpectMask(scene, light, { place[0] - focus[0], place[1] - focus[1], place[2] - focus[2], 0.0 },
+    objects, "direction");
+}
+
+TEST(StencilShadowPass, LampsCastAllAround)
+{
+  // A lamp in a ring of boxes, low over the ground: shadows go out in all directions, those of
+  // boxes below it down and those of boxes above it nowhere that is seen. Cones change no mask.
+  for (const double cone : { 180.0, 90.0, 60.0, 30.0, 5.0 })
+  {
+    Scene scene;
+    std::vector<RayObject> objects = { { scene.GroundMesh } };
+    for (int i = 0; i < 6; ++i)
+    {
+      const double angle = vtkMath::Pi() * i / 3.0;
+      objects.push_back({ moved(
+        box(), 0.25, { 1.4 * std::cos(angle), 1.4 * std::sin(angle), 0.4 + 0.1 * i }, 11) });
+      scene.Add(objects.back().Surface);
+    }
+    const RayLight lamp = { 0.0, 0.1, 1.0, 1.0 };
+    vtkSmartPointer<vtkLight> light = scene.AddLight(lamp);
+    light->SetConeAngle(cone);
+    scene.Look(-2.0, -6.0, 7.0);
+    auto window = MakeWindow(240, 180);
+    window->AddRenderer(scene.Renderer);
+    window->Render();
+    ExpectMask(scene, light, lamp, objects, ("cone " + std::to_string(cone)).c_str());
+  }
 }
 
 TEST(StencilShadowPass, LightsAndActorsThatMove)

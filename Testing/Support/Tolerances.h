@@ -115,6 +115,14 @@ constexpr double FaintPixels = 6e-3;
 /// tell. Up to 2 of 900,000 pixels were found.
 constexpr double StrayPixels = 3e-6;
 
+/// Steps of 255: a shaded colour against the formula. Half a step for rounding, the rest for normals
+/// and positions that shaders have in float.
+constexpr double Shade = 2.0;
+
+/// Steps of 255: a colour that was shaded by the same formula, but rounded in another buffer or
+/// viewport.
+constexpr int SameShade = 1;
+
 /// Share of pixels, and greatest difference of a channel (0 to 255), by which the pictures of two
 /// rasterisers of the same scene may differ: rounding of colours, and samples on an edge.
 constexpr double PictureFraction = 0.002;

@@ -1,19 +1,18 @@
 #include "ShadowCasters.h"
 
+#include "CasterMeshes.h"
+
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
-#include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
-#include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkSkybox.h"
 #include "vtkStencilShadowPass.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -25,21 +24,19 @@ bool MayCast(vtkProp* prop)
   return !keys || !keys->Has(key) || keys->Get(key) != 0;
 }
 
-vtkPolyData* FindMesh(vtkActor* actor)
+/**
+ * False if the matrix is singular, or not finite, or nearly so that its inverse is not.
+ */
+bool Invert(const Matrix4& matrix, Matrix4& inverse)
 {
-  vtkPolyDataMapper* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
-  if (!mapper || mapper->GetNumberOfInputConnections(0) == 0 || vtkSkybox::SafeDownCast(actor) ||
-    actor->GetProperty()->GetRepresentation() != VTK_SURFACE ||
-    actor->HasTranslucentPolygonalGeometry())
+  const double volume = vtkMatrix4x4::Determinant(matrix.data());
+  if (!std::isfinite(volume) || volume == 0.0)
   {
-    return nullptr;
+    return false;
   }
-  if (!mapper->GetStatic())
-  {
-    mapper->Update();
-  }
-  vtkPolyData* mesh = mapper->GetInput();
-  return mesh && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0 ? mesh : nullptr;
+  vtkMatrix4x4::Invert(matrix.data(), inverse.data());
+  return std::all_of(
+    inverse.begin(), inverse.end(), [](double value) { return std::isfinite(value); });
 }
 }
 
@@ -55,7 +52,7 @@ std::array<double, 4> ShadowCaster::MoveIntoMesh(const std::array<double, 4>& li
   return moved;
 }
 
-std::vector<ShadowCaster> CollectShadowCasters(vtkRenderer* renderer)
+std::vector<ShadowCaster> CollectShadowCasters(vtkRenderer* renderer, DataSetSurfaces& surfaces)
 {
   std::vector<ShadowCaster> result;
   vtkPropCollection* props = renderer->GetViewProps();
@@ -72,26 +69,22 @@ std::vector<ShadowCaster> CollectShadowCasters(vtkRenderer* renderer)
     {
       vtkAssemblyNode* node = path->GetLastNode();
       vtkActor* actor = vtkActor::SafeDownCast(node->GetViewProp());
-      if (!actor || !actor->GetVisibility() || !MayCast(actor))
+      if (!actor || !actor->GetVisibility())
       {
         continue;
       }
-      vtkPolyData* mesh = FindMesh(actor);
-      if (!mesh)
-      {
-        continue;
-      }
-      ShadowCaster caster;
-      caster.Mesh = mesh;
       // A path is kept until its props are modified, but a follower turns without being modified.
-      caster.ToWorld = ToMatrix4(actor == prop ? actor->GetMatrix() : node->GetMatrix());
-      const double volume = vtkMatrix4x4::Determinant(caster.ToWorld.data());
-      if (!std::isfinite(volume) || volume == 0.0)
+      const Matrix4 toWorld = ToMatrix4(actor == prop ? actor->GetMatrix() : node->GetMatrix());
+      for (const CasterMesh& mesh : CollectCasterMeshes(actor, surfaces))
       {
-        continue;
+        ShadowCaster caster;
+        caster.Mesh = mesh.Mesh;
+        caster.ToWorld = toWorld * mesh.ToActor;
+        if (Invert(caster.ToWorld, caster.ToMesh))
+        {
+          result.push_back(caster);
+        }
       }
-      vtkMatrix4x4::Invert(caster.ToWorld.data(), caster.ToMesh.data());
-      result.push_back(caster);
     }
   }
   return result;

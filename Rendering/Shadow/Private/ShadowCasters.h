@@ -1,5 +1,6 @@
 /**
- * The actors of a renderer that cast, whether or not the camera sees them.
+ * What casts in a renderer, whether or not the camera sees it: meshes, each with a matrix. An actor
+ * is as many of them as its mapper draws, blocks or glyphs.
  */
 #ifndef ShadowCasters_h
 #define ShadowCasters_h
@@ -9,6 +10,7 @@
 #include <array>
 #include <vector>
 
+class DataSetSurfaces;
 class vtkPolyData;
 class vtkRenderer;
 
@@ -26,10 +28,10 @@ struct ShadowCaster
 };
 
 /**
- * Visible opaque surfaces whose mapper is a vtkPolyDataMapper with data, parts of assemblies
- * included, but for those that the key CASTS_SHADOW excludes (on the part or the assembly) and for
- * those that have been flattened by a singular matrix. Brings their pipelines up to date.
+ * The meshes (see CollectCasterMeshes) of visible actors, parts of assemblies included, but for
+ * those that the key CASTS_SHADOW excludes and for those that have been flattened by a singular
+ * matrix.
  */
-std::vector<ShadowCaster> CollectShadowCasters(vtkRenderer* renderer);
+std::vector<ShadowCaster> CollectShadowCasters(vtkRenderer* renderer, DataSetSurfaces& surfaces);
 
 #endif

@@ -70,10 +70,12 @@ bool ShadowFramebuffer::Allocate(
 
 bool ShadowFramebuffer::Create(vtkOpenGLState* state, std::string& error)
 {
+  GLint boundRenderbuffer = 0;
+  glGetIntegerv(GL_RENDERBUFFER_BINDING, &boundRenderbuffer);
   glGenRenderbuffers(1, &this->DepthStencil);
   glBindRenderbuffer(GL_RENDERBUFFER, this->DepthStencil);
   glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, this->Width, this->Height);
-  glBindRenderbuffer(GL_RENDERBUFFER, 0);
+  glBindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(boundRenderbuffer));
 
   GLint boundTexture = 0;
   glGetIntegerv(GL_TEXTURE_BINDING_2D_ARRAY, &boundTexture);
@@ -247,9 +249,12 @@ vtkSmartPointer<vtkImageData> ShadowFramebuffer::ReadMask(vtkOpenGLState* state,
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->MaskTarget);
   glFramebufferTextureLayer(
     GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Masks, 0, mask / ChannelsPerLayer);
+  GLint alignment = 0;
+  glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, this->Width, this->Height, channels[mask % ChannelsPerLayer], GL_UNSIGNED_BYTE,
     image->GetScalarPointer());
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, alignment);
   state->PopFramebufferBindings();
   glBindBuffer(GL_PIXEL_PACK_BUFFER, static_cast<GLuint>(packBuffer));
   return image;

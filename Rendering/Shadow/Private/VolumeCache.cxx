@@ -2,8 +2,8 @@
 
 #include "vtkPolyData.h"
 
-#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace
 {
@@ -28,17 +28,14 @@ const VolumeBuffers& VolumeCache::Get(vtkRenderer* renderer, vtkPolyData* mesh,
   const std::array<double, 4>& light, const Quality& quality, unsigned int attribute)
 {
   Caster& caster = this->Casters[mesh];
-  const vtkMTimeType meshTime = mesh->GetMTime();
-  const auto found =
-    std::find_if(caster.Volumes.begin(), caster.Volumes.end(), [&](const Volume& volume) {
-      return volume.MeshTime == meshTime && volume.Light == light &&
-        volume.Wanted.Kind == quality.Kind && volume.Wanted.Tolerance == quality.Tolerance;
-    });
-  if (found != caster.Volumes.end())
+  const auto [found, isNew] =
+    caster.Volumes.try_emplace(Key(mesh->GetMTime(), light, quality.Kind, quality.Tolerance));
+  Volume& volume = found->second;
+  volume.Renderer = renderer;
+  volume.Frame = this->Frame;
+  if (!isNew)
   {
-    found->Renderer = renderer;
-    found->Frame = this->Frame;
-    return found->Buffers;
+    return volume.Buffers;
   }
 
   caster.Silhouette->SetInputData(mesh);
@@ -53,13 +50,6 @@ const VolumeBuffers& VolumeCache::Get(vtkRenderer* renderer, vtkPolyData* mesh,
   caster.Extruder->Update();
 
   ++this->NumberMade;
-  caster.Volumes.emplace_back();
-  Volume& volume = caster.Volumes.back();
-  volume.MeshTime = meshTime;
-  volume.Light = light;
-  volume.Wanted = quality;
-  volume.Renderer = renderer;
-  volume.Frame = this->Frame;
   volume.Buffers.Upload(caster.Extruder->GetOutput(), attribute);
 
   // They are on the graphics card now; what is kept about the mesh lies in the filters.
@@ -73,9 +63,12 @@ void VolumeCache::EndFrame(vtkRenderer* renderer)
   for (auto caster = this->Casters.begin(); caster != this->Casters.end();)
   {
     auto& volumes = caster->second.Volumes;
-    volumes.remove_if([&](const Volume& volume) {
-      return volume.Renderer == renderer && volume.Frame != this->Frame;
-    });
+    for (auto volume = volumes.begin(); volume != volumes.end();)
+    {
+      const bool unused =
+        volume->second.Renderer == renderer && volume->second.Frame != this->Frame;
+      volume = unused ? volumes.erase(volume) : std::next(volume);
+    }
     caster = volumes.empty() ? this->Casters.erase(caster) : std::next(caster);
   }
 }

@@ -1,10 +1,10 @@
 /**
  * The shadow volumes of the frame, kept as long as nothing moves.
  *
- * A volume belongs to a mesh and a light in the mesh's coordinates, not to an actor: actors that
- * share a mesh may share volumes, and an actor that is moved along with its light, or along a
- * directional light, keeps its own. The filters of a mesh serve all of its lights in turn, so what
- * they keep about the mesh is made once.
+ * A volume belongs to a mesh and a light in the mesh's coordinates, not to an actor: actors or
+ * glyphs that share a mesh share volumes where the light is the same for them, and an actor that is
+ * moved along with its light, or along a directional light, keeps its own. The filters of a mesh
+ * serve all of its lights in turn, so what they keep about the mesh is made once.
  */
 #ifndef VolumeCache_h
 #define VolumeCache_h
@@ -17,8 +17,8 @@
 #include "vtkType.h"
 
 #include <array>
-#include <list>
 #include <map>
+#include <tuple>
 
 class vtkPolyData;
 class vtkRenderer;
@@ -60,13 +60,13 @@ public:
   void Release() { this->Casters.clear(); }
 
 private:
+  // Of a mesh: its time, the light in its coordinates, kind and tolerance.
+  using Key = std::tuple<vtkMTimeType, std::array<double, 4>, int, double>;
+
   struct Volume
   {
-    vtkMTimeType MeshTime;
-    std::array<double, 4> Light;
-    Quality Wanted;
-    vtkRenderer* Renderer;
-    vtkIdType Frame;
+    vtkRenderer* Renderer = nullptr;
+    vtkIdType Frame = 0;
     VolumeBuffers Buffers;
   };
 
@@ -74,7 +74,7 @@ private:
   {
     vtkNew<vtkSmoothLightSilhouette> Silhouette;
     vtkNew<vtkShadowVolumeExtruder> Extruder;
-    std::list<Volume> Volumes;
+    std::map<Key, Volume> Volumes;
   };
 
   // The filters hold the mesh, so that its address stays its own.

@@ -17,6 +17,14 @@
 #include <algorithm>
 #include <cmath>
 
+namespace
+{
+/**
+ * By how many steps of depth walls are drawn behind where they are: a few roundings.
+ */
+constexpr float WallOffset = 4.0f;
+}
+
 bool VolumeCounter::Prepare(vtkOpenGLRenderWindow* window, std::string& error)
 {
   if (this->CountProgram && this->MaskProgram && this->CountsMaskProgram)
@@ -59,7 +67,7 @@ void VolumeCounter::BeginCounting(vtkOpenGLState* state)
 
   // Without it the near and the far plane would cut the volumes open.
   glEnable(GL_DEPTH_CLAMP);
-  glPolygonOffset(1.0f, 1.0f);
+  glEnable(GL_POLYGON_OFFSET_FILL);
 }
 
 void VolumeCounter::BeginCountingInStencil(vtkOpenGLState* state)
@@ -166,11 +174,12 @@ void VolumeCounter::Count(vtkOpenGLState* state, const VolumeBuffers& volume,
   {
     // A cap is as deep as the surface that it is part of. It must count as behind it: so a lit
     // surface is not in its own cap's shadow, and a dark one always is in that of its dark cap.
-    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.0f, 1.0f);
     volume.DrawCaps();
-    glDisable(GL_POLYGON_OFFSET_FILL);
     volume.DrawFarEnd();
   }
+  // Walls begin on surfaces, too, where rounding may put them before or behind.
+  glPolygonOffset(0.0f, WallOffset);
   volume.DrawSides();
 }
 
@@ -197,6 +206,8 @@ void VolumeCounter::WriteMaskOfFloats(vtkOpenGLState* state, unsigned int counts
 void VolumeCounter::WriteMask(vtkOpenGLState* state, vtkShaderProgram* program)
 {
   this->Window->GetShaderCache()->ReadyShaderProgram(program);
+
+  glDisable(GL_POLYGON_OFFSET_FILL);
 
   // The triangle lies at depth 1: GREATER lets pass what is nearer than the background.
   glDisable(GL_DEPTH_CLAMP);
