@@ -416,7 +416,7 @@ void Mask(Glyphs& glyphs)
 /// Values below and above the range take the first and the last source.
 void IndexSources(Glyphs& glyphs)
 {
-  glyphs.AddArray("kind", 1, { 0.0, 1.9, 2.1, 7.0 });
+  glyphs.AddArray("kind", 1, { 0.0, 0.9, 1.0, 7.0 });
   glyphs.Mapper->SetSourceData(1, glyphs.Other);
   glyphs.Mapper->SourceIndexingOn();
   glyphs.Mapper->SetSourceIndexArray("kind");

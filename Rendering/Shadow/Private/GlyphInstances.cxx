@@ -181,17 +181,15 @@ std::vector<std::vector<vtkPolyData*>> CollectSources(vtkGlyph3DMapper* mapper)
 }
 
 /**
- * The source of a point without an index is the first one.
+ * The source of a point without an index is the first one. The mapper's range is for scaling alone.
  */
-std::size_t FindSource(
-  vtkGlyph3DMapper* mapper, vtkDataArray* array, vtkIdType point, std::size_t count)
+std::size_t FindSource(vtkDataArray* array, vtkIdType point, std::size_t count)
 {
   if (!array)
   {
     return 0;
   }
-  const double place =
-    (NormOf(array, point) - mapper->GetRange()[0]) * static_cast<double>(count) / RangeOf(mapper);
+  const double place = NormOf(array, point);
   return static_cast<std::size_t>(std::max(0.0, std::min(place, static_cast<double>(count - 1))));
 }
 
@@ -206,7 +204,7 @@ void AddGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* points,
       continue;
     }
     const Matrix4 matrix = FindMatrix(mapper, points, arrays, point);
-    for (vtkPolyData* mesh : sources[FindSource(mapper, arrays.Source, point, sources.size())])
+    for (vtkPolyData* mesh : sources[FindSource(arrays.Source, point, sources.size())])
     {
       glyphs.push_back({ mesh, matrix });
     }
