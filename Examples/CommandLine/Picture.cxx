@@ -130,13 +130,17 @@ void Picture::AddFillLight()
   this->Renderer->AddLight(light);
 }
 
-void Picture::CastShadows(const SilhouetteOptions& options, double largestDiagonal)
+void Picture::CastShadows(
+  const SilhouetteOptions& options, const std::string& counting, double largestDiagonal)
 {
   // The pass knows relative tolerances only: by the largest mesh, none is farther off than wanted.
   const double scale = options.ToleranceMode == "world" ? 1.0 / largestDiagonal : 1.0;
   this->Pass = vtkSmartPointer<vtkStencilShadowPass>::New();
   this->Pass->SetKind(KindNumber(options.Kind));
   this->Pass->SetTolerance(options.Tolerance * scale);
+  this->Pass->SetCounting(counting == "zpass" ? vtkStencilShadowPass::Z_PASS
+      : counting == "zfail"                   ? vtkStencilShadowPass::Z_FAIL
+                                              : vtkStencilShadowPass::AUTOMATIC);
   this->Renderer->SetPass(this->Pass);
 }
 
@@ -178,6 +182,16 @@ vtkSmartPointer<vtkImageData> Picture::Image()
   capture->ShouldRerenderOff();
   capture->Update();
   return capture->GetOutput();
+}
+
+vtkSmartPointer<vtkTable> Picture::Plan()
+{
+  vtkSmartPointer<vtkTable> plan;
+  if (this->Pass)
+  {
+    plan.TakeReference(this->Pass->GetPlan());
+  }
+  return plan;
 }
 
 vtkSmartPointer<vtkImageData> Picture::Mask(std::size_t light)

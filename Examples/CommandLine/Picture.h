@@ -15,6 +15,7 @@
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 #include <vtkStencilShadowPass.h>
+#include <vtkTable.h>
 
 #include <string>
 #include <vector>
@@ -30,8 +31,14 @@ public:
   void AddMeshes(const std::vector<vtkPolyData*>& meshes);
   void AddScene(const Scene& scene, bool ground);
 
-  /// Draws shadows from here on; without this call there are none.
-  void CastShadows(const SilhouetteOptions& options, double largestDiagonal);
+  /// Draws shadows from here on; without this call there are none. `counting` is auto, zpass or
+  /// zfail, as in vtkStencilShadowPass.
+  void CastShadows(
+    const SilhouetteOptions& options, const std::string& counting, double largestDiagonal);
+
+  /// What was done for each light and caster in the last frame, as vtkStencilShadowPass tells; null
+  /// without shadows.
+  vtkSmartPointer<vtkTable> Plan();
 
   /// Draws a frame to its end and gives the milliseconds that it took. Prints a warning where VTK
   /// gives one; throws Failure.

@@ -28,6 +28,8 @@ struct Arguments
   std::string Window = vtkOffscreenWindows::GetDefaultName();
   SceneOptions Scene;
   SilhouetteOptions Silhouette;
+  std::string Counting = "auto";
+  bool Plan = false;
   int Supersample = 1;
   int Frames = 1;
   bool MoveLights = false;
@@ -129,9 +131,36 @@ Json RenderedMeshStatistics(const LoadedMesh& mesh)
   return statistics;
 }
 
+Json PlanStatistics(vtkTable* plan)
+{
+  Json rows = Json::array();
+  for (vtkIdType row = 0; plan && row < plan->GetNumberOfRows(); ++row)
+  {
+    rows.push_back({ { "light", plan->GetValueByName(row, "Light").ToInt() },
+      { "caster", plan->GetValueByName(row, "Caster").ToInt() },
+      { "decision", plan->GetValueByName(row, "Decision").ToString() },
+      { "reason", plan->GetValueByName(row, "Reason").ToString() },
+      { "milliseconds", plan->GetValueByName(row, "Milliseconds").ToDouble() } });
+  }
+  return rows;
+}
+
+std::string DescribePlan(const Json& rows)
+{
+  std::ostringstream lines;
+  for (const Json& row : rows)
+  {
+    lines << "light " << row["light"] << ", caster " << row["caster"] << ": "
+          << row["decision"].get<std::string>() << "; " << row["reason"].get<std::string>() << "; "
+          << row["milliseconds"].get<double>() << " ms\n";
+  }
+  return lines.str();
+}
+
 std::string Summary(const Arguments& arguments, const Json& statistics)
 {
   std::ostringstream line;
+  line << (arguments.Plan ? DescribePlan(statistics["plan"]) : "");
   line << arguments.Output << ": " << statistics["width"] << " x " << statistics["height"] << ", "
        << arguments.Silhouette.Kind << ", " << statistics["frameMilliseconds"].get<double>()
        << " ms a frame, shadowed pixels";
@@ -172,7 +201,7 @@ void Run(const Arguments& arguments)
   picture.AddScene(scene, arguments.Scene.Ground);
   if (arguments.Silhouette.Kind != "none")
   {
-    picture.CastShadows(arguments.Silhouette, largestDiagonal);
+    picture.CastShadows(arguments.Silhouette, arguments.Counting, largestDiagonal);
   }
   const Json times = DrawFrames(picture, scene, largestDiagonal, arguments, progress);
 
@@ -188,6 +217,7 @@ void Run(const Arguments& arguments)
   statistics["renderer"] = picture.GraphicsName();
   statistics["kind"] = arguments.Silhouette.Kind;
   statistics.update(times);
+  statistics["plan"] = PlanStatistics(picture.Plan());
   for (std::size_t i = 0; i < scene.Lights().size(); ++i)
   {
     const vtkSmartPointer<vtkImageData> mask = picture.Mask(i);
@@ -283,6 +313,13 @@ void AddRenderCommand(CLI::App& app, std::function<void()>& chosen)
     .add_option("--window", arguments->Window,
       "what draws [" + arguments->Window + "]; egl and osmesa need no display")
     ->check(CLI::IsMember(std::vector<std::string>{ "egl", "osmesa", "native" }));
+  command
+    .add_option("--counting", arguments->Counting,
+      "how shadow volumes are counted [auto]; zfail is right always, zpass only where the eye and "
+      "what is right before it are in the light")
+    ->check(CLI::IsMember(std::vector<std::string>{ "auto", "zpass", "zfail" }));
+  command.add_flag(
+    "--plan", arguments->Plan, "print what was done for each light and each caster, and why");
   AddCount(command, "--supersample", arguments->Supersample, 16,
     "draw N x N pixels for each one of the picture, for smooth edges [1]");
   command

@@ -81,6 +81,23 @@ class GoodRuns(ToolTest):
             self.check_statistics(statistics, kind)
             self.check_pictures(statistics, unshadowed, picture, mask)
 
+    def test_plan_and_counting(self):
+        common = (BUNNY, "out.png", "--ground", "--size", "240x180")
+        shadowed = {}
+        for counting, expected in (("auto", "z-pass"), ("zpass", "z-pass"), ("zfail", "z-fail")):
+            statistics, _ = self.render(*common, "--counting", counting)
+            self.assertEqual([row["caster"] for row in statistics["plan"]], [0])
+            self.assertTrue(statistics["plan"][0]["decision"].startswith(expected))
+            self.assertTrue(statistics["plan"][0]["reason"])
+            shadowed[counting] = statistics["lights"][0]["shadowedPixels"]
+        # The eye is in the light here: both are right, up to pixels on an edge.
+        self.assertEqual(shadowed["auto"], shadowed["zpass"])
+        self.assertLess(abs(shadowed["auto"] - shadowed["zfail"]), 0.01 * shadowed["zfail"])
+        text = self.succeed("render", BUNNY, "-o", "out.png", "--ground", "--size", "240x180", "--plan")
+        self.assertRegex(text, r"\Alight 0, caster 0: z-pass, .+; .+ ms\n")
+        self.assertIn("--counting", self.fail_with(
+            2, "render", BUNNY, "-o", "out.png", "--counting", "sometimes"))
+
     def check_statistics(self, statistics, kind):
         self.assertEqual(statistics["kind"], kind)
         self.assertEqual((statistics["width"], statistics["height"]), (240, 180))
