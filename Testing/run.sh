@@ -37,7 +37,7 @@ sanitized()
 }
 
 filters=(TestSmoothLightSilhouette TestShadowVolumeExtruder TestFiniteVolumes TestSilhouetteSearch)
-slow='OnRealMeshes|OnRandomMeshes'
+slow='OnRealMeshes|OnRandomMeshes|WholeComponentsOnAnyMesh'
 export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
 export SMOOTHSHADOW_TEST_SCENES=100
 sanitized AddressSanitizer "$slow" TestCore "${filters[@]}" TestRandomMeshes \
