@@ -326,7 +326,6 @@ vtkStencilShadowPass::Internals::PlannedVolume vtkStencilShadowPass::Internals::
   PlannedVolume planned;
   if (!plan.IsSeen(light.Position, CornersOf(RoomyBounds(caster.Mesh), caster.ToWorld)))
   {
-    planned.Plan.Skipped = true;
     planned.Plan.Decision = "skip";
     planned.Plan.Reason = "its shadow does not come into view";
     return planned;
@@ -338,7 +337,6 @@ vtkStencilShadowPass::Internals::PlannedVolume vtkStencilShadowPass::Internals::
   planned.Milliseconds = 1e3 * (vtkTimerLog::GetUniversalTime() - start);
   if (buffers.IsEmpty())
   {
-    planned.Plan.Skipped = true;
     planned.Plan.Decision = "skip";
     planned.Plan.Reason = "it has no volume";
     return planned;

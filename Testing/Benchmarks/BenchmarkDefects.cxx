@@ -2,6 +2,7 @@
 // moves, and a frame. A closed mesh has dark caps; with one hole in it both sides of all of it
 // cast.
 
+#include "BenchmarkWindow.h"
 #include "HostileMeshes.h"
 #include "Measure.h"
 #include "Random.h"
@@ -10,13 +11,11 @@
 #include "TestMeshes.h"
 
 #include <vtkActor.h>
-#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
-#include <vtkOffscreenWindows.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
@@ -25,8 +24,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <iostream>
 
 namespace
 {
@@ -89,20 +86,8 @@ struct Frame
     this->Renderer->AddLight(this->Light);
     this->Renderer->SetPass(this->Pass);
     this->Pass->SetKindToDiscrete();
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->SetPosition(2.0, -3.6, 2.4);
-    camera->SetFocalPoint(0.0, 0.0, -0.2);
-    camera->SetViewUp(0.0, 0.0, 1.0);
-    this->Renderer->ResetCameraClippingRange();
-    this->Window.TakeReference(vtkOffscreenWindows::NewWindow(nullptr));
-    if (!this->Window)
-    {
-      std::cerr << vtkOffscreenWindows::GetLastReason() << std::endl;
-      std::exit(1);
-    }
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(Size, Size);
-    this->Window->AddRenderer(this->Renderer);
+    benchmarks::lookAtTheGround(this->Renderer);
+    this->Window = benchmarks::openWindow(Size, this->Renderer);
   }
 
   double milliseconds()

@@ -1,6 +1,7 @@
 // Frame times at 768 x 768 without shadows, with vtkShadowMapPass and with vtkStencilShadowPass,
 // the light moving and at rest; and the pixels of either's shadows that differ from a ray cast.
 
+#include "BenchmarkWindow.h"
 #include "ImageChecks.h"
 #include "MaskComparison.h"
 #include "Measure.h"
@@ -9,11 +10,9 @@
 #include "TestMeshes.h"
 
 #include <vtkActor.h>
-#include <vtkCamera.h>
 #include <vtkCameraPass.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
-#include <vtkOffscreenWindows.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -28,7 +27,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <string>
 
 namespace
@@ -73,20 +71,8 @@ struct Scene
     this->Light->SetFocalPoint(0.0, 0.0, 0.0);
     placeLight(this->Light, 0);
     this->Renderer->AddLight(this->Light);
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->SetPosition(2.0, -3.6, 2.4);
-    camera->SetFocalPoint(0.0, 0.0, -0.2);
-    camera->SetViewUp(0.0, 0.0, 1.0);
-    this->Renderer->ResetCameraClippingRange();
-    this->Window.TakeReference(vtkOffscreenWindows::NewWindow(nullptr));
-    if (!this->Window)
-    {
-      std::cerr << vtkOffscreenWindows::GetLastReason() << std::endl;
-      std::exit(1);
-    }
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(Size, Size);
-    this->Window->AddRenderer(this->Renderer);
+    benchmarks::lookAtTheGround(this->Renderer);
+    this->Window = benchmarks::openWindow(Size, this->Renderer);
   }
 
   benchmarks::Figure frames(bool lightMoves)

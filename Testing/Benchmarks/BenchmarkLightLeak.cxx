@@ -6,6 +6,7 @@
 // the interpolating subdivision (vtkButterflySubdivisionFilter) of real meshes. Pixels beside an
 // edge of a cast shadow are left out: edges of meshes differ.
 
+#include "BenchmarkWindow.h"
 #include "LightLeak.h"
 #include "RayCast.h"
 #include "RealMeshes.h"
@@ -17,7 +18,6 @@
 #include <vtkCleanPolyData.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
-#include <vtkOffscreenWindows.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -26,8 +26,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <iostream>
 #include <vector>
 
 namespace
@@ -46,12 +44,6 @@ class View
 public:
   explicit View(vtkPolyData* mesh)
   {
-    this->Window.TakeReference(vtkOffscreenWindows::NewWindow(nullptr));
-    if (!this->Window)
-    {
-      std::cerr << vtkOffscreenWindows::GetLastReason() << std::endl;
-      std::exit(1);
-    }
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(mesh);
     vtkNew<vtkActor> actor;
@@ -60,9 +52,7 @@ public:
     this->Renderer->AutomaticLightCreationOff();
     this->Renderer->AddLight(this->Light);
     this->Renderer->SetPass(this->Pass);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(Size, Size);
-    this->Window->AddRenderer(this->Renderer);
+    this->Window = benchmarks::openWindow(Size, this->Renderer);
   }
 
   RayView place(const std::array<double, 3>& eye, const RayLight& light, double size)

@@ -274,7 +274,7 @@ bool ShadowPlan::NearPlaneIsFree(const Point4& light, const BoxCorners& caster) 
   }
   const std::array<Point3, 4>& corners = this->NearCorners;
   const auto towardLight = [&](const Point3& point)
-  { return Point3{ -RayOf(light, point)[0], -RayOf(light, point)[1], -RayOf(light, point)[2] }; };
+  { return Point3{} - RayOf(light, point); };
 
   // The rectangle's own plane, and those through its sides and the light.
   const Point3 normal = Cross(corners[1] - corners[0], corners[3] - corners[0]);

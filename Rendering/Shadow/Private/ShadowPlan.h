@@ -23,7 +23,7 @@ using BoxCorners = std::array<Point3, 8>;
 BoxCorners CornersOf(const std::array<double, 6>& bounds, const Matrix4& toWorld);
 
 /**
- * Homogeneous points as coefficients of planes: positive on the inner side.
+ * What the camera sees, and how many pixels it is drawn in.
  */
 struct ShadowView
 {
@@ -52,15 +52,14 @@ struct ShadowRules
 
 struct CasterPlan
 {
-  bool Skipped = false;
-
   /**
    * From the eye to the surface instead of from the surface to infinity.
    */
   bool ZPass = false;
 
   /**
-   * The plane on which the volume ends; all zero if it ends at infinity.
+   * The plane on which the volume ends, positive on the receivers' side; all zero if it ends at
+   * infinity.
    */
   Point4 End{};
 
