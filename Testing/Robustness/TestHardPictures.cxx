@@ -177,6 +177,20 @@ TEST(HardPictures, HugeGroundPlane)
   }
 }
 
+namespace
+{
+// The mask fills a picture of that size, and is right.
+void expectMaskOfSize(Scene& scene, vtkLight* light, const Mesh& mesh,
+  const std::array<int, 2>& size, const char* what)
+{
+  const Image mask = scene.Mask(light);
+  ASSERT_TRUE(mask);
+  EXPECT_EQ(mask->GetDimensions()[0], size[0]);
+  EXPECT_EQ(mask->GetDimensions()[1], size[1]);
+  ExpectMask(scene, light, PointLight, { { scene.GroundMesh }, { mesh } }, what);
+}
+}
+
 TEST(HardPictures, NotSquareWindows)
 {
   for (const auto& size :
@@ -189,11 +203,7 @@ TEST(HardPictures, NotSquareWindows)
     auto window = MakeWindow(size[0], size[1]);
     window->AddRenderer(scene.Renderer);
     render(window, "window-" + std::to_string(size[0]));
-    const Image mask = scene.Mask(light);
-    ASSERT_TRUE(mask);
-    EXPECT_EQ(mask->GetDimensions()[0], size[0]);
-    EXPECT_EQ(mask->GetDimensions()[1], size[1]);
-    ExpectMask(scene, light, PointLight, { { scene.GroundMesh }, { mesh } }, "window");
+    expectMaskOfSize(scene, light, mesh, size, "window");
   }
 }
 
@@ -260,11 +270,7 @@ TEST(HardPictures, WindowResized)
   {
     window->SetSize(size[0], size[1]);
     render(window, "resized-" + std::to_string(size[0]));
-    const Image mask = scene.Mask(light);
-    ASSERT_TRUE(mask);
-    EXPECT_EQ(mask->GetDimensions()[0], size[0]);
-    EXPECT_EQ(mask->GetDimensions()[1], size[1]);
-    ExpectMask(scene, light, PointLight, { { scene.GroundMesh }, { mesh } }, "resized");
+    expectMaskOfSize(scene, light, mesh, size, "resized");
   }
 }
 
