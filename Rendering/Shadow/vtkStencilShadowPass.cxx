@@ -186,34 +186,33 @@ std::array<int, 2> FindSize(const vtkRenderState* state)
   return size;
 }
 
-/**
- * Bounds of all that a shadow may fall on; invalid if something has none.
- */
-std::array<double, 6> FindReceiverBounds(vtkRenderer* renderer)
+PlanReceivers FindReceivers(vtkRenderer* renderer)
 {
+  PlanReceivers receivers;
   vtkBoundingBox box;
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator iterator;
   props->InitTraversal(iterator);
-  bool everythingIsBounded = true;
   while (vtkProp* prop = props->GetNextProp(iterator))
   {
     double* bounds = prop->GetVisibility() ? prop->GetBounds() : nullptr;
     if (bounds && prop->GetUseBounds() && vtkMath::AreBoundsInitialized(bounds))
     {
       box.AddBounds(bounds);
+      std::array<double, 6> receiver;
+      std::copy_n(bounds, 6, receiver.begin());
+      receivers.Bounds.push_back(receiver);
     }
     else if (bounds && !prop->GetUseBounds())
     {
-      everythingIsBounded = false;
+      receivers.Bounded = false;
     }
   }
-  std::array<double, 6> result{ 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-  if (everythingIsBounded && box.IsValid())
+  if (box.IsValid())
   {
-    box.GetBounds(result.data());
+    box.GetBounds(receivers.AllBounds.data());
   }
-  return result;
+  return receivers;
 }
 
 /**
@@ -283,7 +282,7 @@ std::string vtkStencilShadowPass::Internals::DrawMasks(vtkRenderer* renderer,
   vtkOpenGLState* state = this->Window->GetState();
   const Matrix4 worldToClip = FindWorldToClip(renderer);
   const ShadowPlan plan({ worldToClip, this->Target.GetWidth(), this->Target.GetHeight() },
-    FindReceiverBounds(renderer), rules);
+    FindReceivers(renderer), rules);
   const std::vector<ShadowCaster> casters = CollectShadowCasters(renderer, this->Surfaces);
   this->Volumes.BeginFrame();
   this->Plan.clear();
@@ -324,10 +323,10 @@ vtkStencilShadowPass::Internals::PlannedVolume vtkStencilShadowPass::Internals::
   const ShadowCaster& caster, const VolumeCache::Quality& quality)
 {
   PlannedVolume planned;
-  if (!plan.IsSeen(light.Position, CornersOf(RoomyBounds(caster.Mesh), caster.ToWorld)))
+  const PlanLight planLight = { light.Position };
+  planned.Plan = plan.Decide(planLight, CornersOf(RoomyBounds(caster.Mesh), caster.ToWorld));
+  if (planned.Plan.Skip)
   {
-    planned.Plan.Decision = "skip";
-    planned.Plan.Reason = "its shadow does not come into view";
     return planned;
   }
   const int made = this->Volumes.GetNumberMade();
@@ -337,12 +336,18 @@ vtkStencilShadowPass::Internals::PlannedVolume vtkStencilShadowPass::Internals::
   planned.Milliseconds = 1e3 * (vtkTimerLog::GetUniversalTime() - start);
   if (buffers.IsEmpty())
   {
+    planned.Plan = {};
+    planned.Plan.Skip = true;
     planned.Plan.Decision = "skip";
     planned.Plan.Reason = "it has no volume";
     return planned;
   }
+  planned.Plan = plan.Decide(planLight, CornersOf(buffers.GetBounds(), caster.ToWorld));
+  if (planned.Plan.Skip)
+  {
+    return planned;
+  }
   planned.Buffers = &buffers;
-  planned.Plan = plan.Decide(light.Position, CornersOf(buffers.GetBounds(), caster.ToWorld));
   planned.Plan.Decision +=
     this->Volumes.GetNumberMade() == made ? ", volume of before" : ", new volume";
   return planned;
