@@ -29,8 +29,8 @@ inline ShadowView viewFrom(
 
 inline std::array<double, 6> boundsAround(const Point3& middle, double half)
 {
-  return { middle[0] - half, middle[0] + half, middle[1] - half, middle[1] + half,
-    middle[2] - half, middle[2] + half };
+  return { middle[0] - half, middle[0] + half, middle[1] - half, middle[1] + half, middle[2] - half,
+    middle[2] + half };
 }
 
 inline BoxCorners boxAround(const Point3& middle, double half)

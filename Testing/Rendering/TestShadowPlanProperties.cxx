@@ -1,5 +1,5 @@
-// The plan against brute force, in random scenes: whatever it decides, samples of casters, shadows and
-// receivers are where it says that they can be.
+// The plan against brute force, in random scenes: whatever it decides, samples of casters, shadows
+// and receivers are where it says that they can be.
 
 #include "PlanScene.h"
 #include "Tolerances.h"
@@ -169,8 +169,8 @@ TEST(ShadowPlanProperties, NoCasterBeforeAReceiverIsSkipped)
     for (int sample = 0; sample < 1000; ++sample)
     {
       // Towards receivers, as most of a shadow is elsewhere: is the box between them and the light?
-      const std::array<double, 6>& b = scene.Receivers.Bounds[static_cast<std::size_t>(sample) %
-        scene.Receivers.Bounds.size()];
+      const std::array<double, 6>& b =
+        scene.Receivers.Bounds[static_cast<std::size_t>(sample) % scene.Receivers.Bounds.size()];
       const Point3 place = { scene.Numbers.uniform(b[0], b[1]), scene.Numbers.uniform(b[2], b[3]),
         scene.Numbers.uniform(b[4], b[5]) };
       const Point3 ray = scene.Ray(place);
@@ -251,7 +251,8 @@ TEST(ShadowPlanProperties, VolumesAreWhereThePlanSays)
       EXPECT_GE(seen.Depth, plan.DepthRange[0]);
       EXPECT_LE(seen.Depth, plan.DepthRange[1]);
     }
-    // A place on the near rectangle from which the light is hidden by the box: z-pass would miss it.
+    // A place on the near rectangle from which the light is hidden by the box: z-pass would miss
+    // it.
     for (int sample = 0; sample < 20 && !plan.Skip; ++sample)
     {
       Matrix4 toWorld;
@@ -265,9 +266,9 @@ TEST(ShadowPlanProperties, VolumesAreWhereThePlanSays)
       const Point3 y = scene.Caster[2] - scene.Caster[0];
       const Point3 z = scene.Caster[4] - scene.Caster[0];
       const double volume = dot(x, cross(y, z));
-      const Point3 towards =
-        place - scene.Numbers.uniform(0.0, scene.Light.Position[3] != 0.0 ? 1.0 : 4.0) *
-          scene.Ray(place) - scene.Caster[0];
+      const Point3 towards = place -
+        scene.Numbers.uniform(0.0, scene.Light.Position[3] != 0.0 ? 1.0 : 4.0) * scene.Ray(place) -
+        scene.Caster[0];
       bool hidden = volume != 0.0;
       for (const Point3& normal : { cross(y, z), cross(z, x), cross(x, y) })
       {

@@ -16,8 +16,8 @@ BoxCorners CornersOf(const std::array<double, 6>& bounds, const Matrix4& toWorld
   BoxCorners corners;
   for (std::size_t i = 0; i < 8; ++i)
   {
-    const Point4 corner = Multiply(
-      toWorld, { bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2 & 1)], 1.0 });
+    const Point4 corner =
+      Multiply(toWorld, { bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2 & 1)], 1.0 });
     corners[i] = { corner[0] / corner[3], corner[1] / corner[3], corner[2] / corner[3] };
   }
   return corners;
@@ -29,8 +29,7 @@ Point4 FacePlane(const BoxCorners& box, const BoxFace& face)
     return box[static_cast<std::size_t>(number)];
   };
   const Point3& at = corner(face.Corner);
-  const Point4 plane =
-    PlaneThrough(at, Cross(corner(face.First) - at, corner(face.Second) - at));
+  const Point4 plane = PlaneThrough(at, Cross(corner(face.First) - at, corner(face.Second) - at));
   return Height(plane, corner(face.Opposite)) < 0.0 ? -plane : plane;
 }
 
@@ -69,6 +68,5 @@ double StepsToPlane(const Point4& plane, const Point3& point, const Point3& ray)
 {
   const double toward = plane[0] * ray[0] + plane[1] * ray[1] + plane[2] * ray[2];
   const double height = Height(plane, point);
-  return toward < 0.0 && height > 0.0 ? -height / toward
-                                      : std::numeric_limits<double>::infinity();
+  return toward < 0.0 && height > 0.0 ? -height / toward : std::numeric_limits<double>::infinity();
 }

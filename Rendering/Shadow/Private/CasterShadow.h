@@ -3,12 +3,12 @@
  *
  * It is the hull of the box and of the rays that go on from its corners c away from the light l,
  * with directions r = w c - l. A point light outside of the box: every point of the hull is
- * l + s (z - l), s >= 1, z in the box, so the hull is the shadow of the full box and no more. A light
- * inside: all of space.
+ * l + s (z - l), s >= 1, z in the box, so the hull is the shadow of the full box and no more. A
+ * light inside: all of space.
  *
  * A plane bounds it if all corners are on its positive side and no r points to the other one. Faces
- * of the hull are those faces of the box that are turned to the light (or seen edge-on from it), and
- * planes through the light and an edge of the box that have the whole box on one side.
+ * of the hull are those faces of the box that are turned to the light (or seen edge-on from it),
+ * and planes through the light and an edge of the box that have the whole box on one side.
  */
 #ifndef CasterShadow_h
 #define CasterShadow_h

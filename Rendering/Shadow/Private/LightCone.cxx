@@ -16,8 +16,7 @@ constexpr double Widening = 0x1p-18;
  */
 double LeastOnSegment(const Point3& p, const Point3& q, const Point3& axis, double cosine)
 {
-  const auto at = [&](double t)
-  {
+  const auto at = [&](double t) {
     const Point3 v = { p[0] + t * q[0], p[1] + t * q[1], p[2] + t * q[2] };
     return Length(v) * cosine - Dot(axis, v);
   };
@@ -77,17 +76,14 @@ bool IsOutsideCone(const PlanLight& light, const BoxCorners& box)
   const auto corner = [&](int number) -> const Point3& {
     return fromApex[static_cast<std::size_t>(number)];
   };
-  const bool edgesAreOutside = std::all_of(BoxEdges.begin(), BoxEdges.end(),
-    [&](const std::pair<int, int>& edge)
-    {
+  const bool edgesAreOutside =
+    std::all_of(BoxEdges.begin(), BoxEdges.end(), [&](const std::pair<int, int>& edge) {
       const Point3& from = corner(edge.first);
       return LeastOnSegment(from, corner(edge.second) - from, axis, cosine) > 0.0;
     });
   return edgesAreOutside &&
-    std::none_of(BoxFaces.begin(), BoxFaces.end(),
-      [&](const BoxFace& face)
-      {
-        const Point3& at = corner(face.Corner);
-        return PassesThrough(axis, at, corner(face.First) - at, corner(face.Second) - at);
-      });
+    std::none_of(BoxFaces.begin(), BoxFaces.end(), [&](const BoxFace& face) {
+      const Point3& at = corner(face.Corner);
+      return PassesThrough(axis, at, corner(face.First) - at, corner(face.Second) - at);
+    });
 }

@@ -32,8 +32,7 @@ CasterPlan Skipped(const char* reason)
 }
 }
 
-ShadowPlan::ShadowPlan(
-  const ShadowView& view, PlanReceivers receivers, const ShadowRules& rules)
+ShadowPlan::ShadowPlan(const ShadowView& view, PlanReceivers receivers, const ShadowRules& rules)
   : View(view)
   , Receivers(std::move(receivers))
   , Rules(rules)
@@ -86,8 +85,7 @@ CasterPlan ShadowPlan::Decide(const PlanLight& light, const BoxCorners& caster) 
   }
   plan.Decision = std::string(plan.ZPass ? "z-pass" : "z-fail") +
     (end != Point4{} ? ", ends behind the receivers" : ", to infinity");
-  plan.Reason = this->Rules.Counting != CountingMethod::Automatic
-    ? "counting is set"
+  plan.Reason = this->Rules.Counting != CountingMethod::Automatic ? "counting is set"
     : nearIsFree ? "nothing of it is between the light and the near plane"
                  : "some of it may be between the light and the near plane";
   return plan;
@@ -104,8 +102,7 @@ bool ShadowPlan::SomethingReceives(const Point4& light, const BoxCorners& caster
   {
     return true;
   }
-  const auto holdsMiddle = [&](const std::array<double, 6>& b)
-  {
+  const auto holdsMiddle = [&](const std::array<double, 6>& b) {
     return b[0] <= middle[0] && middle[0] <= b[1] && b[2] <= middle[1] && middle[1] <= b[3] &&
       b[4] <= middle[2] && middle[2] <= b[5];
   };
@@ -131,8 +128,9 @@ Point4 ShadowPlan::FindEnd(const Point4& light, const BoxCorners& caster) const
     return {};
   }
   constexpr double behind = 0.01;
-  const double margin = behind * std::sqrt((b[1] - b[0]) * (b[1] - b[0]) +
-                                   (b[3] - b[2]) * (b[3] - b[2]) + (b[5] - b[4]) * (b[5] - b[4]));
+  const double margin = behind *
+    std::sqrt((b[1] - b[0]) * (b[1] - b[0]) + (b[3] - b[2]) * (b[3] - b[2]) +
+      (b[5] - b[4]) * (b[5] - b[4]));
   std::array<Point4, 7> planes{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -165,8 +163,7 @@ Point4 ShadowPlan::FindEnd(const Point4& light, const BoxCorners& caster) const
     for (const Point3& corner : caster)
     {
       const Point3 cornerRay = RayOf(light, corner);
-      longest =
-        std::max(longest, StepsToPlane(plane, corner, cornerRay) * Length(cornerRay));
+      longest = std::max(longest, StepsToPlane(plane, corner, cornerRay) * Length(cornerRay));
     }
     if (longest < least)
     {
@@ -179,8 +176,8 @@ Point4 ShadowPlan::FindEnd(const Point4& light, const BoxCorners& caster) const
 
 /**
  * False if the caster may meet the pyramid of the near rectangle and the light: only then can the
- * rectangle, which the eye looks through, be in the volume or cut it. A plane of the pyramid or of the
- * caster's box that separates them is proof of the contrary.
+ * rectangle, which the eye looks through, be in the volume or cut it. A plane of the pyramid or of
+ * the caster's box that separates them is proof of the contrary.
  */
 bool ShadowPlan::NearPlaneIsFree(const Point4& light, const BoxCorners& caster) const
 {
@@ -189,8 +186,7 @@ bool ShadowPlan::NearPlaneIsFree(const Point4& light, const BoxCorners& caster) 
     return false;
   }
   const std::array<Point3, 4>& corners = this->NearCorners;
-  const auto towardLight = [&](const Point3& point)
-  { return Point3{} - RayOf(light, point); };
+  const auto towardLight = [&](const Point3& point) { return Point3{} - RayOf(light, point); };
 
   // The rectangle's own plane, and those through its sides and the light.
   const Point3 normal = Cross(corners[1] - corners[0], corners[3] - corners[0]);
@@ -210,13 +206,11 @@ bool ShadowPlan::NearPlaneIsFree(const Point4& light, const BoxCorners& caster) 
     }
   }
   // The box's faces: all of the pyramid outside of one.
-  return std::any_of(BoxFaces.begin(), BoxFaces.end(),
-    [&](const BoxFace& face)
-    {
-      const Point4 plane = FacePlane(caster, face);
-      return Height(plane, caster[static_cast<std::size_t>(face.Opposite)]) > 0.0 &&
-        Height(plane, light) < 0.0 &&
-        std::all_of(corners.begin(), corners.end(),
-          [&](const Point3& corner) { return Height(plane, corner) < 0.0; });
-    });
+  return std::any_of(BoxFaces.begin(), BoxFaces.end(), [&](const BoxFace& face) {
+    const Point4 plane = FacePlane(caster, face);
+    return Height(plane, caster[static_cast<std::size_t>(face.Opposite)]) > 0.0 &&
+      Height(plane, light) < 0.0 &&
+      std::all_of(corners.begin(), corners.end(),
+        [&](const Point3& corner) { return Height(plane, corner) < 0.0; });
+  });
 }

@@ -1,5 +1,6 @@
 /**
- * What is to be done for each light and each caster, decided from bounds alone: no OpenGL, no meshes.
+ * What is to be done for each light and each caster, decided from bounds alone: no OpenGL, no
+ * meshes.
  */
 #ifndef ShadowPlan_h
 #define ShadowPlan_h
@@ -89,11 +90,11 @@ struct CasterPlan
   /**
    * A length of the world: the step that a silhouette point of the caster may make, across the
    * light's rays, until its shadow moves by at most one pixel wherever in view that falls, the
-   * caster itself included. Infinite if the volume is not in view, else above 0, and never more than
-   * that: it may be less by a small factor, the more so where the volume surrounds the eye.
+   * caster itself included. Infinite if the volume is not in view, else above 0, and never more
+   * than that: it may be less by a small factor, the more so where the volume surrounds the eye.
    *
-   * What it does not contain is the slant of receivers: a shadow's edge slides along the light's rays
-   * by the tangent of the incidence, which depends on the surface that it falls on.
+   * What it does not contain is the slant of receivers: a shadow's edge slides along the light's
+   * rays by the tangent of the incidence, which depends on the surface that it falls on.
    *
    * It is not finer than the single precision in which volumes are drawn (2^-22 of the caster's
    * size): only there, with the light in or next to the caster, can the shadow move by more.

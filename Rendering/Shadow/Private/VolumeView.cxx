@@ -10,7 +10,8 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /**
- * Steps of a depth of 24 bits, and the rounding of a sum in single precision, relative to its terms.
+ * Steps of a depth of 24 bits, and the rounding of a sum in single precision, relative to its
+ * terms.
  */
 constexpr double DepthMargin = 16.0 * 0x1p-24;
 constexpr double ShaderRounding = 0x1p-21;
@@ -83,8 +84,7 @@ std::array<int, 4> VolumeView::FindScissor() const
 {
   double lower[2] = { 1.0, 1.0 };
   double upper[2] = { -1.0, -1.0 };
-  const auto add = [&](const Point4& point)
-  {
+  const auto add = [&](const Point4& point) {
     for (std::size_t axis = 0; axis < 2; ++axis)
     {
       const double place = point[axis] / point[3];
@@ -199,8 +199,7 @@ double VolumeView::LeastWeightInside(std::size_t plane) const
       if (!(inside[i] < 0.0) && inside[j] < 0.0)
       {
         const double t = inside[i] / (inside[i] - inside[j]);
-        least = std::min(
-          least, this->Points[i][3] + t * (this->Points[j][3] - this->Points[i][3]));
+        least = std::min(least, this->Points[i][3] + t * (this->Points[j][3] - this->Points[i][3]));
       }
     }
   }
@@ -245,8 +244,7 @@ double VolumeView::PixelsPerLength() const
       }
       const double xx = Dot(across, across);
       const double yy = Dot(up, up);
-      greatest = std::max(
-        greatest, 0.5 * (xx + yy) + std::hypot(0.5 * (xx - yy), Dot(across, up)));
+      greatest = std::max(greatest, 0.5 * (xx + yy) + std::hypot(0.5 * (xx - yy), Dot(across, up)));
     }
   }
   return std::sqrt(greatest) + Length(weight);

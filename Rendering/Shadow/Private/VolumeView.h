@@ -23,8 +23,8 @@ struct ShadowView
  *
  * The place x + t r on the ray of x (r = w x - l, l the homogeneous light) is written as the
  * homogeneous (x, 1) - s l, s = t / (1 + t w), which is its 1 / (1 + t w) fold. A step d of x makes
- * one of d (1 + t w) there, so the fourth coordinate, 1 - s w, is one over the magnification; and the
- * hull of such points over all x in the box and all s up to the end plane is that of the 16
+ * one of d (1 + t w) there, so the fourth coordinate, 1 - s w, is one over the magnification; and
+ * the hull of such points over all x in the box and all s up to the end plane is that of the 16
  * points of the corners, as both are linear.
  */
 class VolumeView
@@ -50,10 +50,10 @@ public:
    * The window depths, 0 to 1, that points of it can have.
    *
    * With a margin of 16 steps of 24 bits on either side: walls are drawn 4 steps behind where they
-   * are and caps 1 step (offsets of (0, 4) and (1, 1); the part of a cap's that grows with its slope
-   * needs no room, as it leaves surfaces at the cap where they are, in the range), the rest is for
-   * the roundings of stored depths; and of 2^-21 of the terms that a point's depth is the sum of, as
-   * shaders add these up in single precision.
+   * are and caps 1 step (offsets of (0, 4) and (1, 1); the part of a cap's that grows with its
+   * slope needs no room, as it leaves surfaces at the cap where they are, in the range), the rest
+   * is for the roundings of stored depths; and of 2^-21 of the terms that a point's depth is the
+   * sum of, as shaders add these up in single precision.
    */
   std::array<double, 2> FindDepthRange() const;
 
@@ -63,8 +63,8 @@ public:
    * A step d at a visible place of clip weight W moves it on the screen by at most K d / (W - e d)
    * pixels: e is the length of the gradient g of W, and K the greatest singular value of the two
    * rows width / 2 (gradient of clip x - a g), height / 2 (gradient of clip y - b g) for any a and
-   * b in [-1, 1], which is at a corner of the window. That is a pixel or less if (K + e) d <= W. With
-   * the magnification m the caster's step may be W / m / (K + e), and W / m is the fourth clip
+   * b in [-1, 1], which is at a corner of the window. That is a pixel or less if (K + e) d <= W.
+   * With the magnification m the caster's step may be W / m / (K + e), and W / m is the fourth clip
    * coordinate of the points above: linear on the hull. Its minimum over what is in view is bounded
    * from below by the greatest of those over what is on the inner side of one of the pyramid's
    * planes, at a time: there it is attained where edges between the 16 points cut the plane.
