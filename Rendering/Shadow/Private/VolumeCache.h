@@ -33,6 +33,7 @@ public:
   {
     int Kind;
     double Tolerance;
+    bool WithCaps;
   };
 
   /**
@@ -48,6 +49,8 @@ public:
 
   const VolumeBuffers& Get(vtkRenderer* renderer, vtkPolyData* mesh,
     const std::array<double, 4>& light, const Quality& quality, unsigned int attribute);
+
+  double GetMeshDeviation(vtkPolyData*) { return 0.0; }
 
   /**
    * Since the beginning of the frame.

@@ -1,5 +1,6 @@
 #include "VolumeCounter.h"
 
+#include "DepthBoundsTest.h"
 #include "OpenGLFunctions.h"
 #include "VolumeBuffers.h"
 
@@ -114,6 +115,12 @@ void VolumeCounter::SetMethod(vtkOpenGLState* state, bool zPass)
   }
 }
 
+void VolumeCounter::EndCounting(vtkOpenGLState* state)
+{
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  DepthBoundsTest::SetRange({ 0.0, 1.0 });
+}
+
 namespace
 {
 /**
@@ -154,6 +161,7 @@ void VolumeCounter::Count(vtkOpenGLState* state, const VolumeBuffers& volume,
   const Placement& placement, bool zPass)
 {
   this->SetMethod(state, zPass);
+  DepthBoundsTest::SetRange(placement.DepthRange);
 
   // Wound as OpenGL expects it unless some matrix on the way mirrors. View to clip coordinates
   // always changes handedness, so the usual sign is negative.
