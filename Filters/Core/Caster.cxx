@@ -156,6 +156,7 @@ std::size_t Caster::memory() const
   const std::lock_guard<std::mutex> lock(this->Guard);
   std::size_t total = bytes(this->Mesh.points) + bytes(this->Mesh.triangles) +
     bytes(this->Mesh.normals) + bytes(this->Mesh.normalVertex) + bytes(this->Mesh.cornerNormals) +
+    bytes(this->Mesh.sources) +
     bytes(this->Edges.edges) + bytes(this->Edges.firstOther) + bytes(this->Edges.sides) +
     bytes(this->Edges.triangleEdges) + bytes(this->Weights.parts) + bytes(this->Weights.parting) +
     bytes(this->Weights.agreeing) + bytes(this->LinkEdges) + bytes(this->EdgeKinds) +
