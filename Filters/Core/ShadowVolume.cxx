@@ -45,8 +45,8 @@ private:
   {
     std::vector<Vec4>& points = this->Volume.points;
     const TriangleMesh& mesh = this->Near.caster.mesh();
-    points.reserve(
-      mesh.points.size() + 2 * this->Near.chain.crossings.size() + 3 * this->Near.points.size() + 1);
+    const std::size_t nodes = mesh.points.size() + this->Near.chain.crossings.size();
+    points.reserve(nodes + this->Near.chain.crossings.size() + 3 * this->Near.points.size() + 1);
     for (const Vec3& p : mesh.points)
     {
       points.emplace_back(p, 1.0);

@@ -34,8 +34,8 @@ struct VolumeSettings
   bool wallStrips = false; ///< not to infinity in a direction, where walls have one point in common
 };
 
-/// Extrudes to where the shadow is to end. The sum of all directed edges, with multiplicity, is zero
-/// unless caps are left out, or pieces of the silhouette missing.
+/// Extrudes to where the shadow is to end. The sum of all directed edges, with multiplicity, is
+/// zero unless caps are left out, or pieces of the silhouette missing.
 ///
 /// A finite volume's far cap is its near cap and gaps, moved to where their shadows end.
 ///

@@ -31,15 +31,15 @@
  *   a corner field's cap turns away from the light in places). `Volume`, of a finite extent: what
  *   it encloses.
  *
- * With the extent NEAR_END the output is only what the volume begins with, for renderers that extrude
- * it themselves; without caps it costs in proportion to the silhouette, with them the mesh's triangles
- * are looked at once. Points (double) are those that its cells use, none else.
+ * With the extent NEAR_END the output is only what the volume begins with, for renderers that
+ * extrude it themselves; without caps it costs in proportion to the silhouette, with them the
+ * mesh's triangles are looked at once. Points (double) are those that its cells use, none else.
  * - Polys: gaps, and those of the near cap's triangles that are parts of the mesh's.
  * - Lines: the rims, along which walls begin, each a closed polyline (the first id is repeated). A
  *   segment from p to q has the wall (q, p, p's end), (q, p's end, q's end).
  * - CellData `Part`, `Multiplicity` as above; lines come before polys, and are WALL.
- * - FieldData `CapTriangles` (3, unsigned int): the near cap's other triangles, as point ids of port
- *   0's mesh, of equal points any one. One that counts several times is there as often.
+ * - FieldData `CapTriangles` (3, unsigned int): the near cap's other triangles, as point ids of
+ *   port 0's mesh, of equal points any one. One that counts several times is there as often.
  *   `GreatestDepth`: as above; with the light inside of the ball it is no bound if Caps is NONE, as
  *   what is around the light is not known then. `LightOutside`: whether the light is outside of the
  *   ball around mesh and silhouette: from there an infinite volume's far end may be a fan over the
@@ -127,7 +127,7 @@ public:
   /**
    * Where shadows end: INFINITE; LENGTH, at Length from each point along its ray; or PLANE, on a
    * plane that each point's ray meets (a point beyond the plane is its own end). It is an error if
-   * there are rays that do not come to the plane. NEAR_END makes nothing but what is to be extruded.
+   * there are rays that do not come to the plane. NEAR_END makes only what is to be extruded.
    * Default INFINITE.
    */
   vtkSetClampMacro(Extent, int, INFINITE, NEAR_END);

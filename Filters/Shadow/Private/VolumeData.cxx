@@ -224,7 +224,7 @@ std::vector<shadow::VolumeTriangle> numberedTriangles(
 
 void writeCapTriangles(const shadow::NearEnd& end, vtkPolyData* output)
 {
-  static_assert(sizeof(shadow::Triangle) == 3 * sizeof(unsigned int), "written as an array of them");
+  static_assert(sizeof(shadow::Triangle) == 3 * sizeof(unsigned int), "written as such an array");
   vtkNew<vtkUnsignedIntArray> array;
   array->SetName("CapTriangles");
   array->SetNumberOfComponents(3);
