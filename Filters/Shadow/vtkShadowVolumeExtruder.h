@@ -31,6 +31,20 @@
  *   a corner field's cap turns away from the light in places). `Volume`, of a finite extent: what
  *   it encloses.
  *
+ * With the extent NEAR_END the output is only what the volume begins with, for renderers that
+ * extrude it themselves; without caps it costs in proportion to the silhouette, with them the
+ * mesh's triangles are looked at once. Points (double) are those that its cells use, none else.
+ * - Polys: gaps, and those of the near cap's triangles that are parts of the mesh's.
+ * - Lines: the rims, along which walls begin, each a closed polyline (the first id is repeated). A
+ *   segment from p to q has the wall (q, p, p's end), (q, p's end, q's end).
+ * - CellData `Part`, `Multiplicity` as above; lines come before polys, and are WALL.
+ * - FieldData `CapTriangles` (3, unsigned int): the near cap's other triangles, as point ids of
+ *   port 0's mesh, of equal points any one. One that counts several times is there as often.
+ *   `GreatestDepth`: as above; with the light inside of the ball it is no bound if Caps is NONE, as
+ *   what is around the light is not known then. `LightOutside`: whether the light is outside of the
+ *   ball around mesh and silhouette: from there an infinite volume's far end may be a fan over the
+ *   rims' ends at infinity, from inside it is all of the near end, projected there.
+ *
  * Errors: a silhouette that does not belong to the mesh gives vtkErrorMacro and no output, as does
  * a light that is not finite or is all zero. At most 2^30 points and 2^31 corners of triangles,
  * polygons and strips taken apart.
@@ -57,7 +71,8 @@ public:
   {
     INFINITE = 0,
     LENGTH = 1,
-    PLANE = 2
+    PLANE = 2,
+    NEAR_END = 3
   };
 
   enum CapKinds
@@ -112,13 +127,15 @@ public:
   /**
    * Where shadows end: INFINITE; LENGTH, at Length from each point along its ray; or PLANE, on a
    * plane that each point's ray meets (a point beyond the plane is its own end). It is an error if
-   * there are rays that do not come to the plane. Default INFINITE.
+   * there are rays that do not come to the plane. NEAR_END makes only what is to be extruded.
+   * Default INFINITE.
    */
-  vtkSetClampMacro(Extent, int, INFINITE, PLANE);
+  vtkSetClampMacro(Extent, int, INFINITE, NEAR_END);
   vtkGetMacro(Extent, int);
   void SetExtentToInfinite() { this->SetExtent(INFINITE); }
   void SetExtentToLength() { this->SetExtent(LENGTH); }
   void SetExtentToPlane() { this->SetExtent(PLANE); }
+  void SetExtentToNearEnd() { this->SetExtent(NEAR_END); }
   ///@}
 
   ///@{

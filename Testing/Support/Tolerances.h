@@ -131,6 +131,10 @@ constexpr int SameShade = 1;
 /// rasterisers of the same scene may differ: rounding of colours, and samples on an edge.
 constexpr double PictureFraction = 0.002;
 constexpr int PictureChannel = 2;
+
+/// Relative: the height of an edge's curve against that of the arc, which it is at the middle, and
+/// against the size where that is flat. What is lost where a small angle's cosine is taken from 1.
+constexpr double ArcRounding = 1e-12;
 }
 }
 
