@@ -2,21 +2,14 @@
 
 #include "PlanScene.h"
 #include "ShadowPlan.h"
-#include "ShadowScene.h"
 #include "SilhouetteChoice.h"
-#include "TestMeshes.h"
 #include "Tolerances.h"
 
-#include <vtkCamera.h>
 #include <vtkMath.h>
-#include <vtkNew.h>
-#include <vtkStringArray.h>
-#include <vtkTable.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <string>
 
@@ -281,67 +274,4 @@ TEST(SilhouetteChoice, ExtremesAreDecided)
   EXPECT_FALSE(ChooseSilhouette(1.0, 1.0, 0.0).Smooth);
   EXPECT_TRUE(ChooseSilhouette(none, 1.0, 1.0).Smooth);
   EXPECT_TRUE(ChooseSilhouette(infinite, 1.0, 1.0).Smooth);
-}
-
-namespace
-{
-struct Eye
-{
-  const char* Name;
-  Point3 Place;
-  Point3 At;
-  RayLight Light;
-};
-
-// Free of shadow, in the box's shadow, with the lamp close, and looking along the ground.
-const Eye Eyes[] = { { "outside", { -3.0, -6.0, 5.0 }, { 0.0, 0.0, 0.5 }, PointLight },
-  { "in shadow", { -0.25, -0.12, 0.5 }, { -0.1, 0.4, 0.0 }, DirectionalLight },
-  { "under the lamp", { -2.0, -3.0, 3.0 }, { 0.0, 0.0, 0.5 }, { 0.2, 0.1, 1.9, 1.0 } },
-  { "low", { -3.0, -4.0, 0.6 }, { -1.0, 0.0, 0.2 }, { 3.0, 2.0, 1.8, 0.0 } } };
-}
-
-TEST(StencilShadowPassPlan, RulesLeaveTheMaskAsItIs)
-{
-  const std::pair<const char*, std::function<void(vtkStencilShadowPass*)>> off[] = {
-    { "counting", [](vtkStencilShadowPass* pass) { pass->SetCountingToZFail(); } },
-    { "skipping", [](vtkStencilShadowPass* pass) { pass->SkipUnseenCastersOff(); } },
-    { "finite volumes", [](vtkStencilShadowPass* pass) { pass->FiniteVolumesOff(); } },
-    { "scissor", [](vtkStencilShadowPass* pass) { pass->ScissorOff(); } } };
-  int zPass = 0;
-  int zFail = 0;
-  for (const Eye& eye : Eyes)
-  {
-    Mesh box = FloatingBox();
-    const auto maskWith = [&](const std::function<void(vtkStencilShadowPass*)>& change)
-    {
-      Scene scene;
-      scene.Add(box);
-      scene.Look(eye.Place[0], eye.Place[1], eye.Place[2]);
-      scene.Renderer->GetActiveCamera()->SetFocalPoint(eye.At.data());
-      scene.Renderer->GetActiveCamera()->SetClippingRange(0.05, 40.0);
-      const auto light = scene.AddLight(eye.Light);
-      const auto window = MakeWindow(240, 180);
-      window->AddRenderer(scene.Renderer);
-      change(scene.Pass);
-      window->Render();
-      ExpectMask(scene, light, eye.Light, { { scene.GroundMesh }, { box } }, eye.Name);
-      const auto plan = vtkSmartPointer<vtkTable>::Take(scene.Pass->GetPlan());
-      EXPECT_EQ(plan->GetNumberOfRows(), 2);
-      auto* decisions = vtkStringArray::SafeDownCast(plan->GetColumnByName("Decision"));
-      for (vtkIdType row = 0; row < plan->GetNumberOfRows(); ++row)
-      {
-        zPass += decisions->GetValue(row).find("z-pass") == 0;
-        zFail += decisions->GetValue(row).find("z-fail") == 0;
-      }
-      return scene.Mask(light);
-    };
-    const Image all = maskWith([](vtkStencilShadowPass*) {});
-    for (const auto& [name, turnOff] : off)
-    {
-      // Beside an edge a pixel may fall to the other side by rounding.
-      EXPECT_LE(Differences(maskWith(turnOff), all), 6) << eye.Name << ", without " << name;
-    }
-  }
-  EXPECT_GT(zPass, 10);
-  EXPECT_GT(zFail, 10);
 }

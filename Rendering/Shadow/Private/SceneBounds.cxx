@@ -12,6 +12,9 @@
 #include "vtkStencilShadowPass.h"
 #include "vtkVolume.h"
 
+#include <algorithm>
+#include <cmath>
+
 bool MayReceive(vtkProp* prop)
 {
   vtkInformation* keys = prop->GetPropertyKeys();
@@ -21,6 +24,31 @@ bool MayReceive(vtkProp* prop)
 
 namespace
 {
+bool IsFinite(double value)
+{
+  return std::isfinite(value);
+}
+
+std::array<double, 6> BoundsOfFinitePoints(vtkPolyData* mesh)
+{
+  vtkBoundingBox box;
+  double point[3];
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    mesh->GetPoint(i, point);
+    if (std::all_of(point, point + 3, IsFinite))
+    {
+      box.AddPoint(point);
+    }
+  }
+  std::array<double, 6> bounds{};
+  if (box.IsValid())
+  {
+    box.GetBounds(bounds.data());
+  }
+  return bounds;
+}
+
 /**
  * False if it is certain that shadows on the prop are not drawn.
  */
@@ -48,7 +76,7 @@ PlanReceivers FindReceivers(vtkRenderer* renderer)
     {
       continue;
     }
-    if (!prop->GetUseBounds())
+    if (!prop->GetUseBounds() || !std::all_of(bounds, bounds + 6, IsFinite))
     {
       receivers.Bounded = false;
     }
@@ -76,7 +104,13 @@ std::array<double, 6> BoundsWithContours(vtkPolyData* mesh, double deviation)
   constexpr double room = 0.1;
   std::array<double, 6> bounds;
   mesh->GetBounds(bounds.data());
-  const double margin = room * mesh->GetLength() + 2.0 * deviation;
+  if (!std::all_of(bounds.begin(), bounds.end(), IsFinite))
+  {
+    bounds = BoundsOfFinitePoints(mesh);
+  }
+  const double diagonal =
+    std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+  const double margin = room * diagonal + 2.0 * deviation;
   for (std::size_t i = 0; i < 6; ++i)
   {
     bounds[i] += i % 2 == 0 ? -margin : margin;

@@ -17,12 +17,12 @@ bool MayReceive(vtkProp* prop);
 
 /**
  * What may show a shadow of the visible props, and the bounds of all of them. A prop that does not use
- * its bounds makes the scene unbounded.
+ * its bounds, or whose bounds are not finite, makes the scene unbounded.
  */
 PlanReceivers FindReceivers(vtkRenderer* renderer);
 
 /**
- * Bounds of a mesh with room for a contour that may leave it: `deviation` is the greatest distance of
+ * Bounds of a mesh's finite points with room for a contour that may leave it: `deviation` is the greatest distance of
  * an edge from the smooth surface's.
  */
 std::array<double, 6> BoundsWithContours(vtkPolyData* mesh, double deviation);

@@ -24,6 +24,18 @@ bool IsOutsideBall(vtkPolyData* mesh, const std::array<double, 4>& light)
 }
 }
 
+double VolumeCache::GetMeshDeviation(vtkPolyData* mesh)
+{
+  Caster& caster = this->Casters[mesh];
+  if (caster.DeviationTime != mesh->GetMTime())
+  {
+    caster.Silhouette->SetInputData(mesh);
+    caster.MeshDeviation = caster.Silhouette->ComputeMeshDeviation();
+    caster.DeviationTime = mesh->GetMTime();
+  }
+  return caster.MeshDeviation;
+}
+
 const VolumeBuffers& VolumeCache::Get(vtkRenderer* renderer, vtkPolyData* mesh,
   const std::array<double, 4>& light, const Quality& quality, unsigned int attribute)
 {
@@ -41,6 +53,7 @@ const VolumeBuffers& VolumeCache::Get(vtkRenderer* renderer, vtkPolyData* mesh,
   caster.Silhouette->SetInputData(mesh);
   caster.Silhouette->SetLightPosition(light.data());
   caster.Silhouette->SetKind(quality.Kind);
+  caster.Silhouette->SetToleranceModeToWorld();
   caster.Silhouette->SetTolerance(quality.Tolerance);
   caster.Extruder->SetInputData(mesh);
   caster.Extruder->SetSilhouetteConnection(caster.Silhouette->GetOutputPort());

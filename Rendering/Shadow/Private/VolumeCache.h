@@ -50,7 +50,11 @@ public:
   const VolumeBuffers& Get(vtkRenderer* renderer, vtkPolyData* mesh,
     const std::array<double, 4>& light, const Quality& quality, unsigned int attribute);
 
-  double GetMeshDeviation(vtkPolyData*) { return 0.0; }
+  /**
+   * See vtkSmoothLightSilhouette::ComputeMeshDeviation; known again as long as the mesh is not modified
+   * and casts.
+   */
+  double GetMeshDeviation(vtkPolyData* mesh);
 
   /**
    * Since the beginning of the frame.
@@ -78,6 +82,8 @@ private:
     vtkNew<vtkSmoothLightSilhouette> Silhouette;
     vtkNew<vtkShadowVolumeExtruder> Extruder;
     std::map<Key, Volume> Volumes;
+    double MeshDeviation = 0.0;
+    vtkMTimeType DeviationTime = 0;
   };
 
   // The filters hold the mesh, so that its address stays its own.
