@@ -489,7 +489,7 @@ bool vtkStencilShadowPass::MakeMasks(const vtkRenderState* state)
   }
 
   const std::string tooFewBits =
-    internal.DrawMasks(renderer, lights, { this->Kind, this->Tolerance },
+    internal.DrawMasks(renderer, lights, { this->Kind, this->Tolerance, true },
       { static_cast<CountingMethod>(this->Counting), this->SkipUnseenCasters, this->FiniteVolumes,
         this->Scissor });
   if (!tooFewBits.empty())
