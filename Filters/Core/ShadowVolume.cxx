@@ -31,7 +31,7 @@ public:
         !this->endsInOnePoint();
       asStrip ? this->addWallStrip(rim) : this->addWalls(rim);
     }
-    if (this->Near.cap && this->Settings.farCap && !this->endsInOnePoint())
+    if (this->Near.cap && !this->endsInOnePoint())
     {
       this->isInfinite() && this->Near.lightIsOutside ? this->addFarFan()
                                                       : this->projectNearCap(nearTriangles);

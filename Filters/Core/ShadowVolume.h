@@ -30,7 +30,6 @@ struct ShadowVolume
 struct VolumeSettings
 {
   ShadowEnd end;
-  bool farCap = true;      ///< closes the volume's far end
   bool wallStrips = false; ///< not to infinity in a direction, where walls have one point in common
 };
 

@@ -146,14 +146,14 @@ int vtkShadowVolumeExtruder::RequestData(
     this->Length > 0.0 ? this->Length : 20.0 * caster.radius(), toVector(this->PlaneOrigin),
     toVector(this->PlaneNormal) };
   const shadow::ShadowVolume volume =
-    shadow::extrude(nearEnd, { end, this->FarCap, this->WallStrips });
+    shadow::extrude(nearEnd, { end, this->WallStrips });
   if (volume.unreached > 0)
   {
     vtkErrorMacro(<< describeUnreached(volume.unreached, end));
     return 0;
   }
   writeVolume(volume, caster.centre(), end,
-    this->Caps != NONE && this->FarCap && match == shadow::Match::Whole, output);
+    this->Caps != NONE && match == shadow::Match::Whole, output);
   return 1;
 }
 
@@ -169,6 +169,5 @@ void vtkShadowVolumeExtruder::PrintSelf(ostream& os, vtkIndent indent)
      << this->PlaneOrigin[2] << ")\n";
   os << indent << "PlaneNormal: (" << this->PlaneNormal[0] << ", " << this->PlaneNormal[1] << ", "
      << this->PlaneNormal[2] << ")\n";
-  os << indent << "FarCap: " << (this->FarCap ? "on" : "off") << "\n";
   os << indent << "WallStrips: " << (this->WallStrips ? "on" : "off") << "\n";
 }

@@ -20,8 +20,7 @@
  *
  * Output: triangles, wound outwards; with WallStrips also triangle strips.
  * - PointData `Homogeneous` (4, double; w is 1 or 0, at infinity). Points shows those at infinity
- *   at Length along their direction. `NearPoints` (vtkIdType): of a point at which the shadow of
- *   another one ends, that one; -1 for all others.
+ *   at Length along their direction.
  * - CellData `Part` (0 cap, 1 gap between a smooth silhouette and the mesh, 2 wall, 3 far cap),
  *   `Multiplicity` (how often the triangle counts, at least 1).
  * - FieldData `Closed`: 1 if the directed edges of all triangles, taken with their multiplicity,
@@ -161,16 +160,6 @@ public:
 
   ///@{
   /**
-   * Whether there is a far cap. Without it the volume is open: for renderers that close or leave open
-   * the far end themselves. Default on.
-   */
-  vtkSetMacro(FarCap, bool);
-  vtkGetMacro(FarCap, bool);
-  vtkBooleanMacro(FarCap, bool);
-  ///@}
-
-  ///@{
-  /**
    * Whether the walls along a loop of 16 points or more become one triangle strip: two point ids a
    * segment in place of six, and one cell a loop. Strips come behind the triangles. The walls of a
    * directional light's infinite volume all end in one point and stay triangles. Many filters want
@@ -201,7 +190,6 @@ private:
   double Length = 0.0;
   double PlaneOrigin[3] = { 0.0, 0.0, 0.0 };
   double PlaneNormal[3] = { 0.0, 0.0, 1.0 };
-  bool FarCap = true;
   bool WallStrips = false;
 
   std::unique_ptr<CasterCache> Cache;

@@ -104,13 +104,13 @@ class GoodRuns(ToolTest):
 
     def test_pixel_tolerance(self):
         decisions = {}
-        for tolerance in ("0.001", "4"):
+        for tolerance in ("0.001", "100"):
             statistics, _ = self.render(BUNNY, "out.png", "--ground", "--size", "240x180", "--plan",
                                         "--pixel-tolerance", tolerance)
             decisions[tolerance], = [
                 row["decision"] for row in statistics["plan"] if row["caster"] == 0]
         self.assertIn("smooth", decisions["0.001"])
-        self.assertIn("discrete", decisions["4"])
+        self.assertIn("discrete", decisions["100"])
         self.assertIn("--pixel-tolerance", self.fail_with(
             2, "render", BUNNY, "-o", "out.png", "--pixel-tolerance", "0"))
 

@@ -8,7 +8,6 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -57,22 +56,6 @@ void writePoints(const shadow::ShadowVolume& volume, const shadow::Vec3& centre,
   }
   output->SetPoints(shown);
   output->GetPointData()->AddArray(homogeneous);
-}
-
-void writeNearPoints(const shadow::ShadowVolume& volume, vtkPolyData* output)
-{
-  vtkNew<vtkIdTypeArray> near;
-  near->SetName("NearPoints");
-  near->SetNumberOfValues(static_cast<vtkIdType>(volume.points.size()));
-  near->FillValue(-1);
-  for (std::size_t i = 0; i < volume.origin.size(); ++i)
-  {
-    if (volume.origin[i] != shadow::None)
-    {
-      near->SetValue(static_cast<vtkIdType>(volume.firstEnd + i), volume.origin[i]);
-    }
-  }
-  output->GetPointData()->AddArray(near);
 }
 
 void writeTriangles(const std::vector<shadow::VolumeTriangle>& triangles, vtkPolyData* output)
@@ -245,7 +228,6 @@ void writeVolume(const shadow::ShadowVolume& volume, const shadow::Vec3& centre,
   const shadow::ShadowEnd& end, bool closed, vtkPolyData* output)
 {
   writePoints(volume, centre, end.length, output);
-  writeNearPoints(volume, output);
   writeTriangles(volume.triangles, output);
   writeStrips(volume, output);
   CellDataWriter data(volume.triangles.size() + volume.strips.size());

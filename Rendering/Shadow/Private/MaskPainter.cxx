@@ -195,7 +195,7 @@ MaskPainter::PlannedVolume MaskPainter::PlanVolume(vtkRenderer* renderer, const 
 {
   const bool isSmooth = this->Settings.Kind == vtkStencilShadowPass::AUTOMATIC ||
     this->Settings.Kind == vtkStencilShadowPass::SMOOTH;
-  const double deviation = isSmooth ? this->Volumes.GetMeshDeviation(caster.Mesh) : 0.0;
+  const double deviation = isSmooth ? this->Volumes.GetMeshDeviation(renderer, caster.Mesh) : 0.0;
   PlannedVolume planned;
   planned.Plan = plan.Decide({ light.Position, light.Direction, light.ConeAngle },
     CornersOf(BoundsWithContours(caster.Mesh, deviation), caster.ToWorld));

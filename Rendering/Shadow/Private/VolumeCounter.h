@@ -81,6 +81,7 @@ public:
 private:
   void BeginCounting(vtkOpenGLState* state);
   void SetMethod(vtkOpenGLState* state, bool zPass);
+  void DrawFarEnd(const VolumeBuffers& volume);
   void WriteMask(vtkOpenGLState* state, vtkShaderProgram* program);
 
   vtkOpenGLRenderWindow* Window = nullptr;
