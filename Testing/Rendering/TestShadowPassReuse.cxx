@@ -29,7 +29,9 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <map>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -312,6 +314,34 @@ TEST(ShadowPassReuse, Settings)
   stage.ExpectAfter([&] { stage.Pass->SetKindToSmooth(); }, DepthAlone, "kind");
   stage.ExpectAfter([&] { stage.Pass->SetCountingToZFail(); }, DepthAlone, "counting");
   stage.ExpectAfter([&] { stage.Pass->SetPixelTolerance(2.0); }, DepthAlone, "tolerance");
+}
+
+/// The plan tells whose volumes were made again.
+TEST(ShadowPassReuse, ThePlanShowsWhatMoved)
+{
+  Stage stage;
+  const auto other = stage.Add(moved(sphere(8, 16), 0.4, { 1.4, 0.4, 1.0 }));
+  stage.Draw();
+  stage.Actor->SetPosition(0.1, 0.0, 0.0);
+  stage.Draw();
+  const auto plan = vtkSmartPointer<vtkTable>::Take(stage.Pass->GetPlan());
+  std::map<std::pair<int, int>, bool> isNew;
+  for (vtkIdType row = 0; row < plan->GetNumberOfRows(); ++row)
+  {
+    const std::string decision = plan->GetValueByName(row, "Decision").ToString();
+    const bool isOld = decision.find("volume of before") != std::string::npos;
+    if (isOld || decision.find("new volume") != std::string::npos)
+    {
+      isNew[{ plan->GetValueByName(row, "Light").ToInt(),
+        plan->GetValueByName(row, "Caster").ToInt() }] = !isOld;
+    }
+  }
+  // Ground, box and ball, under a lamp and a sun. Along the sun's rays a box that is moved has the
+  // same volume.
+  const std::map<std::pair<int, int>, bool> expected = { { { 0, 0 }, false }, { { 0, 1 }, true },
+    { { 0, 2 }, false }, { { 1, 0 }, false }, { { 1, 1 }, false }, { { 1, 2 }, false } };
+  EXPECT_EQ(isNew, expected);
+  EXPECT_EQ(stage.Pass->GetNumberOfVolumesMade(), 1);
 }
 
 /// Others use the pass in between; what is in its buffers is theirs then.
