@@ -312,8 +312,8 @@ void AddShadowOptions(CLI::App& command, ShadowOptions& shadow)
       "what is right before it are in the light")
     ->check(CLI::IsMember(std::vector<std::string>{ "auto", "zpass", "zfail" }));
   command.add_flag("--plan", shadow.Plan,
-    "print what was done for each light and each caster, why, and how long it took; frames are drawn "
-    "wholly anew then");
+    "print what was done for each light and each caster, why, and how long it took; frames are "
+    "drawn wholly anew then");
 }
 
 void AddCount(CLI::App& command, const std::string& name, int& count, int largest, const char* help)
