@@ -36,12 +36,14 @@ sanitized()
     -R "^($programs)\\." -E "$except"
 }
 
-filters=(TestSmoothLightSilhouette TestShadowVolumeExtruder TestFiniteVolumes TestSilhouetteSearch)
+filters=(TestSmoothLightSilhouette TestShadowVolumeExtruder TestFiniteVolumes TestSilhouetteSearch
+  TestMeshDeviation TestVolumeNearEnd)
 slow='OnRealMeshes|OnRandomMeshes|WholeComponentsOnAnyMesh'
 export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
 export SMOOTHSHADOW_TEST_SCENES=100
 sanitized AddressSanitizer "$slow" TestCore "${filters[@]}" TestRandomMeshes \
-  ReplayFuzzMeshBridge ReplayFuzzVolume TestShadowPassLights TestShadowPassMasks
+  ReplayFuzzMeshBridge ReplayFuzzVolume TestShadowPassLights TestShadowPassMasks TestShadowPassReuse \
+  TestShadowPlan TestVolumeUploads
 # What runs on one thread has no races: of the core the caster alone is used by several.
 export VTK_SMP_BACKEND_IN_USE=STDThread
 sanitized ThreadSanitizer "$slow|TestCore\\.[^C]|TestCore\\.C[^a]|IncompleteMethods" TestCore \
