@@ -11,20 +11,25 @@
 #include <vtkCompositeDataDisplayAttributes.h>
 #include <vtkCompositePolyDataMapper2.h>
 #include <vtkGlyph3DMapper.h>
+#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLActor.h>
 #include <vtkPlane.h>
 #include <vtkPlaneSource.h>
+#include <vtkPointGaussianMapper.h>
 #include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkShaderProperty.h>
 #include <vtkSphereSource.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
+#include <vtkTexture.h>
 #include <vtkTransform.h>
-#include <vtkTransformPolyDataFilter.h>
+#include <vtkTrivialProducer.h>
+#include <vtkUniforms.h>
 
 #include <gtest/gtest.h>
 
@@ -104,8 +109,9 @@ struct Stage : Scene
     return { Grab(this->Window), this->Mask(this->Lamp), this->Mask(this->Sun) };
   }
 
-  /// Draws as it is, more than twice, as VTK modifies what it draws for the first time; then changes something and draws again, with what may be kept from before
-  /// and without: the same, bit by bit.
+  /// Draws as it is, more than twice, as VTK modifies what it draws for the first time; then
+  /// changes something and draws again, with what may be kept from before and without: the same,
+  /// bit by bit.
   void ExpectAfter(const std::function<void()>& change, const Reused& reused, const char* what)
   {
     this->Pass->ReuseUnchangedOn();
@@ -316,6 +322,116 @@ TEST(ShadowPassReuse, Settings)
   stage.ExpectAfter([&] { stage.Pass->SetPixelTolerance(2.0); }, DepthAlone, "tolerance");
 }
 
+namespace
+{
+/// Half of it transparent, as far as `share` of its width.
+vtkSmartPointer<vtkImageData> Veil(double share)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(64, 64, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  for (int y = 0; y < 64; ++y)
+  {
+    for (int x = 0; x < 64; ++x)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        const bool isClear = c == 3 && x < 64 * share;
+        image->SetScalarComponentFromDouble(x, y, 0, c, isClear ? 0.0 : 255.0);
+      }
+    }
+  }
+  return image;
+}
+}
+
+/// What has times of its own, of which neither actor nor mapper know.
+TEST(ShadowPassReuse, UniformsAndTextures)
+{
+  Stage stage;
+  vtkShaderProperty* shader = stage.Actor->GetShaderProperty();
+  shader->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true,
+    "//VTK::PositionVC::Impl\n  gl_Position.x += shift * gl_Position.w;\n", false);
+  vtkUniforms* uniforms = shader->GetVertexCustomUniforms();
+  uniforms->SetUniformf("shift", 0.0f);
+  stage.ExpectAfter([&] { uniforms->SetUniformf("shift", 0.3f); }, Nothing, "uniform");
+
+  vtkNew<vtkPlaneSource> source;
+  source->SetCenter(0.5, -0.5, 0.4);
+  source->Update();
+  const auto pane = stage.Add(source->GetOutput());
+  pane->ForceOpaqueOn();
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(Veil(0.25));
+  vtkNew<vtkTexture> texture;
+  texture->SetInputConnection(producer->GetOutputPort());
+  pane->SetTexture(texture);
+  stage.ExpectAfter([&] { producer->SetOutput(Veil(0.75)); }, Nothing, "a texture's source");
+  pane->SetTexture(nullptr);
+  pane->GetProperty()->SetTexture("veil", texture);
+  stage.ExpectAfter([&] { producer->SetOutput(Veil(0.5)); }, Nothing, "a property's texture");
+}
+
+TEST(ShadowPassReuse, BlocksOfGlyphs)
+{
+  Stage stage;
+  const auto pointsAt = [](double x) {
+    vtkNew<vtkPoints> places;
+    places->InsertNextPoint(x, -1.0, 0.6);
+    vtkNew<vtkPolyData> points;
+    points->SetPoints(places);
+    return vtkSmartPointer<vtkPolyData>(points);
+  };
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, pointsAt(-1.0));
+  blocks->SetBlock(1, pointsAt(1.0));
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  mapper->SetSourceData(moved(box(), 0.2, { 0.0, 0.0, 0.0 }));
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  mapper->SetBlockAttributes(attributes);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  stage.Renderer->AddActor(actor);
+  stage.ExpectAfter([&] { attributes->SetBlockVisibility(blocks->GetBlock(0), false); }, Nothing,
+    "a block of glyphs");
+}
+
+/// Nobody sees them: their pipelines are not run, and what they are does not matter.
+TEST(ShadowPassReuse, HiddenParts)
+{
+  Stage stage;
+  vtkNew<vtkSphereSource> source;
+  int runs = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&runs);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  source->AddObserver(vtkCommand::StartEvent, count);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> part;
+  part->SetMapper(mapper);
+  part->VisibilityOff();
+  vtkNew<vtkAssembly> assembly;
+  assembly->AddPart(part);
+  assembly->AddPart(MakeActor(moved(box(), 0.2, { 1.0, 1.0, 0.5 })));
+  stage.Renderer->AddActor(assembly);
+  stage.ExpectAfter([&] { source->SetRadius(0.2); }, All, "hidden");
+  EXPECT_EQ(runs, 0);
+}
+
+TEST(ShadowPassReuse, ThePlanIsOfTheLastFrame)
+{
+  Stage stage;
+  stage.Draw();
+  stage.Lamp->SwitchOff();
+  stage.Sun->SwitchOff();
+  stage.Draw();
+  const auto plan = vtkSmartPointer<vtkTable>::Take(stage.Pass->GetPlan());
+  EXPECT_EQ(plan->GetNumberOfRows(), 0);
+}
+
 /// The plan tells whose volumes were made again.
 TEST(ShadowPassReuse, ThePlanShowsWhatMoved)
 {
@@ -380,6 +496,18 @@ TEST(ShadowPassReuse, UnknownProps)
   stage.Draw();
   stage.Draw();
   EXPECT_EQ(ReusedBy(stage.Pass), All);
+  vtkNew<vtkPointGaussianMapper> splats;
+  splats->SetInputData(stage.Box);
+  splats->SetScaleFactor(0.05);
+  const auto cloud = stage.Add(stage.Box);
+  cloud->SetMapper(splats);
+  stage.Draw();
+  stage.Draw();
+  stage.Draw();
+  EXPECT_EQ(ReusedBy(stage.Pass), Nothing) << "a mapper of its own";
+  stage.Renderer->RemoveActor(cloud);
+  stage.Draw();
+  stage.Draw();
   vtkNew<vtkCallbackCommand> uniforms;
   stage.Actor->GetMapper()->AddObserver(vtkCommand::UpdateShaderEvent, uniforms);
   stage.Draw();
@@ -392,6 +520,12 @@ TEST(ShadowPassReuse, CoincidentTopology)
   Stage stage;
   stage.ExpectAfter([] { vtkMapper::SetResolveCoincidentTopologyToPolygonOffset(); }, Nothing,
     "coincident topology");
+  stage.ExpectAfter([] { vtkMapper::SetResolveCoincidentTopologyToShiftZBuffer(); }, Nothing,
+    "shifted depths");
+  const double shift = vtkMapper::GetResolveCoincidentTopologyZShift();
+  stage.ExpectAfter(
+    [] { vtkMapper::SetResolveCoincidentTopologyZShift(0.5); }, Nothing, "another shift");
+  vtkMapper::SetResolveCoincidentTopologyZShift(shift);
   stage.ExpectAfter([] { vtkMapper::SetResolveCoincidentTopologyToDefault(); }, Nothing,
     "no coincident topology");
 }

@@ -4,12 +4,13 @@
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
-#include "vtkAssembly.h"
+#include "vtkAlgorithmOutput.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositePolyDataMapper2.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkMapper.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
@@ -18,21 +19,40 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
+#include "vtkUniforms.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <string>
 
 namespace
 {
 /**
+ * Whether the object is of one of these classes itself, not of one that is derived from them.
+ */
+bool IsOneOf(vtkObject* object, std::initializer_list<std::string> classes)
+{
+  return std::find(classes.begin(), classes.end(), object->GetClassName()) != classes.end();
+}
+
+/**
  * Of a class that draws its mapper where its matrix says, and nothing else.
  */
 bool IsPlainActor(vtkActor* actor)
 {
-  static const char* const names[] = { "vtkActor", "vtkOpenGLActor", "vtkFollower" };
-  const std::string name = actor->GetClassName();
-  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+  return IsOneOf(actor, { "vtkActor", "vtkOpenGLActor", "vtkFollower" });
+}
+
+/**
+ * Of a class that draws by what its settings, its inputs and what is recorded below say.
+ */
+bool IsPlainMapper(vtkMapper* mapper)
+{
+  return IsOneOf(mapper,
+    { "vtkPolyDataMapper", "vtkOpenGLPolyDataMapper", "vtkCompositePolyDataMapper",
+      "vtkCompositePolyDataMapper2", "vtkDataSetMapper", "vtkGlyph3DMapper",
+      "vtkOpenGLGlyph3DMapper" });
 }
 
 bool HasNoDepth(vtkProp* prop)
@@ -40,10 +60,55 @@ bool HasNoDepth(vtkProp* prop)
   return vtkActor2D::SafeDownCast(prop) || vtkVolume::SafeDownCast(prop);
 }
 
+void AddObject(vtkObject* object, SceneRecord& record)
+{
+  record.Add(object, object ? object->GetMTime() : 0);
+}
+
+/**
+ * Where a texture is transparent mappers draw nothing.
+ */
+void RecordTexture(vtkTexture* texture, SceneRecord& record)
+{
+  AddObject(texture, record);
+  if (texture && texture->GetNumberOfInputConnections(0) > 0)
+  {
+    vtkAlgorithmOutput* source = texture->GetInputConnection(0, 0);
+    source->GetProducer()->Update(source->GetIndex());
+    record.AddData(texture->GetInputDataObject(0, 0));
+  }
+}
+
+void RecordProperty(vtkProperty* property, SceneRecord& record)
+{
+  AddObject(property, record);
+  if (property)
+  {
+    for (const auto& texture : property->GetAllTextures())
+    {
+      RecordTexture(texture.second, record);
+    }
+  }
+}
+
+/**
+ * Of replacements in shaders and of the values of their uniforms.
+ */
+void RecordShader(vtkShaderProperty* shader, SceneRecord& record)
+{
+  AddObject(shader, record);
+  if (shader)
+  {
+    AddObject(shader->GetVertexCustomUniforms(), record);
+    AddObject(shader->GetGeometryCustomUniforms(), record);
+    AddObject(shader->GetFragmentCustomUniforms(), record);
+  }
+}
+
 void RecordMapper(vtkMapper* mapper, SceneRecord& record)
 {
   // Whoever observes this may set other values with every frame.
-  if (mapper->HasObserver(vtkCommand::UpdateShaderEvent))
+  if (!IsPlainMapper(mapper) || mapper->HasObserver(vtkCommand::UpdateShaderEvent))
   {
     record.AddUnknown();
   }
@@ -59,10 +124,14 @@ void RecordMapper(vtkMapper* mapper, SceneRecord& record)
       record.AddData(mapper->GetInputDataObject(port, i));
     }
   }
+  // Settings of blocks have a time of their own.
   if (auto* composite = vtkCompositePolyDataMapper2::SafeDownCast(mapper))
   {
-    vtkCompositeDataDisplayAttributes* attributes = composite->GetCompositeDataDisplayAttributes();
-    record.Add(attributes, attributes ? attributes->GetMTime() : 0);
+    AddObject(composite->GetCompositeDataDisplayAttributes(), record);
+  }
+  if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
+  {
+    AddObject(glyphs->GetBlockAttributes(), record);
   }
   if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
   {
@@ -70,33 +139,32 @@ void RecordMapper(vtkMapper* mapper, SceneRecord& record)
     planes->InitTraversal(iterator);
     while (vtkPlane* plane = planes->GetNextPlane(iterator))
     {
-      record.Add(plane, plane->GetMTime());
+      AddObject(plane, record);
     }
   }
 }
 
 void RecordActor(vtkActor* actor, const Matrix4& matrix, SceneRecord& record)
 {
+  // A part of an assembly.
+  if (!actor->GetVisibility())
+  {
+    return;
+  }
   if (!IsPlainActor(actor))
   {
     record.AddUnknown();
     return;
   }
   // Not the actor's own time: an assembly modifies its parts when it draws them.
-  const auto add = [&](vtkObject* part) { record.Add(part, part ? part->GetMTime() : 0); };
   record.Add(actor, 0);
   record.Add(matrix);
-  record.Add(static_cast<vtkTypeUInt64>(actor->GetVisibility()));
   record.Add(static_cast<vtkTypeUInt64>(actor->GetForceOpaque()));
   record.Add(static_cast<vtkTypeUInt64>(actor->GetForceTranslucent()));
-  add(actor->GetProperty());
-  add(actor->GetBackfaceProperty());
-  add(actor->GetShaderProperty());
-  add(actor->GetTexture());
-  if (vtkTexture* texture = actor->GetTexture())
-  {
-    record.AddData(texture->GetInputDataObject(0, 0));
-  }
+  RecordProperty(actor->GetProperty(), record);
+  RecordProperty(actor->GetBackfaceProperty(), record);
+  RecordShader(actor->GetShaderProperty(), record);
+  RecordTexture(actor->GetTexture(), record);
   if (actor->GetMapper())
   {
     RecordMapper(actor->GetMapper(), record);
@@ -109,7 +177,7 @@ void RecordProp(vtkProp* prop, SceneRecord& record)
   {
     return;
   }
-  if (!vtkActor::SafeDownCast(prop) && !vtkAssembly::SafeDownCast(prop))
+  if (!vtkActor::SafeDownCast(prop) && !IsOneOf(prop, { "vtkAssembly" }))
   {
     record.AddUnknown();
     return;
@@ -160,6 +228,9 @@ SceneRecord RecordOccluders(const std::vector<vtkProp*>& props)
   record.Add(std::array<double, 2>{ factor, units });
   vtkMapper::GetResolveCoincidentTopologyPointOffsetParameter(units);
   record.Add(units);
+  record.Add(vtkMapper::GetResolveCoincidentTopologyZShift());
+  record.Add(
+    static_cast<vtkTypeUInt64>(vtkMapper::GetResolveCoincidentTopologyPolygonOffsetFaces()));
   for (vtkProp* prop : props)
   {
     RecordProp(prop, record);

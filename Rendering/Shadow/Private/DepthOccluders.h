@@ -19,8 +19,9 @@ std::vector<vtkProp*> FindOccluders(const vtkRenderState* state);
 
 /**
  * All that the depths of these props depend on, but for the camera. Actors and assemblies of them
- * are known, and what has no depth; others (also actors of a kind of their own, as
- * vtkLODActor, that choose what they draw) may change unnoticed. Brings their pipelines up to date.
+ * are known, with VTK's usual mappers, and what has no depth; others (also actors and mappers of
+ * classes of their own, as vtkLODActor, that choose what they draw) may change unnoticed. Brings
+ * their pipelines up to date.
  */
 SceneRecord RecordOccluders(const std::vector<vtkProp*>& props);
 
