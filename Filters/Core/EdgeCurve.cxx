@@ -233,7 +233,8 @@ Vec3 EdgeCurve::derivative(double s) const
 }
 
 /// A Surface's height is the cubic with the ends' slopes, whose inner ordinates are a third of
-/// these and weigh at most 3/4 together, and the correction times s^2 (1-s)^2, which is 1/16 at most.
+/// these and weigh at most 3/4 together, and the correction times s^2 (1-s)^2, which is 1/16 at
+/// most.
 double EdgeCurve::chordDeviation() const
 {
   switch (this->shape)

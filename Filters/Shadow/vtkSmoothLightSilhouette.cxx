@@ -149,7 +149,8 @@ double vtkSmoothLightSilhouette::ComputeMeshDeviation()
   {
     return 0.0;
   }
-  this->GetInputAlgorithm()->Update();
+  vtkAlgorithmOutput* source = this->GetInputConnection(0, 0);
+  source->GetProducer()->Update(source->GetIndex());
   vtkPolyData* input = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
   if (!input || isTooLarge(input) || !std::isfinite(this->FeatureAngle))
   {

@@ -203,7 +203,8 @@ public:
    * It is what a silhouette of the mesh itself may miss there; flat faces, straight creases and
    * what has normals that say nothing give 0, but for rounding. The same for every light and Kind.
    * Updates the input; takes O(edges), on VTK's threads, once for a mesh, FeatureAngle and
-   * MergePoints. 0 without a mesh or if it is too large.
+   * MergePoints. 0 without a mesh, or if it is too
+   * large or FeatureAngle is not finite.
    */
   double ComputeMeshDeviation();
 

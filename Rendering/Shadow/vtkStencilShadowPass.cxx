@@ -13,7 +13,6 @@
 #include "vtkCommand.h"
 #include "vtkFrameBufferObjectBase.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkObjectFactory.h"
@@ -30,6 +29,7 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <vector>
@@ -145,6 +145,7 @@ vtkStencilShadowPass::~vtkStencilShadowPass()
 
 void vtkStencilShadowPass::PrintSelf(ostream& os, vtkIndent indent)
 {
+  this->Superclass::PrintSelf(os, indent);
   os << indent << "DelegatePass: ";
   if (this->DelegatePass)
   {
@@ -212,6 +213,7 @@ bool vtkStencilShadowPass::MakeMasks(const vtkRenderState* state)
   vtkRenderer* renderer = state->GetRenderer();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   internal.MaskedLights.clear();
+  internal.Painter.ClearPlan();
   if (!window || renderer->GetSelector())
   {
     return false;

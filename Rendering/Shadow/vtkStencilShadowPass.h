@@ -7,11 +7,16 @@
  * without the pass.
  *
  * Per frame: depth of the opaque props into an own framebuffer; then, for each light that casts,
- * the actors' shadow volumes (vtkSmoothLightSilhouette, vtkShadowVolumeExtruder) counted in the
- * stencil buffer (in floats where there may be more than it can count) by z-fail (Everitt & Kilgard
- * 2002), which is right with the eye in shadow and with volumes cut by the near plane; the zero
- * counts become the light's visibility mask; last, the delegate draws with the mask applied to the
- * light's colour. Volumes are remade only for a light or an actor that moved or was modified.
+ * the actors' shadow volumes (vtkSmoothLightSilhouette, vtkShadowVolumeExtruder), counted in the
+ * stencil buffer (in floats where there may be more than it can count); the zero counts become the
+ * light's visibility mask; last, the delegate draws with the mask applied to the light's colour.
+ *
+ * A plan decides for each light and caster: whether its shadow can be seen at all, how exact its
+ * silhouette has to be for a pixel not to tell, where its volume ends, and whether it is counted in
+ * front of surfaces (z-pass) or behind them (z-fail, Everitt & Kilgard 2002, which is right with
+ * the eye in shadow and with volumes cut by the near plane). Volumes are remade only for a light or
+ * an actor that moved or was modified; depths and masks of the frame before serve again as long as
+ * nothing changes that they depend on. Each rule can be forced off; the picture stays the same.
  *
  * Where it stands among other passes:
  * - Alone, `renderer->SetPass(pass)`: the default delegate sets viewport and background by the
@@ -105,9 +110,9 @@ public:
 
   ///@{
   /**
-   * Kind of silhouettes, as in vtkSmoothLightSilhouette. AUTOMATIC (the default) takes for each light
-   * and caster DISCRETE, which is the fastest, if its error is within PixelTolerance, else SMOOTH: the
-   * error is told from how far the mesh's edges are from the smooth surface's.
+   * Kind of silhouettes, as in vtkSmoothLightSilhouette. AUTOMATIC (the default) takes for each
+   * light and caster DISCRETE, which is the fastest, if its error is within PixelTolerance, else
+   * SMOOTH: the error is told from how far the mesh's edges are from the smooth surface's.
    */
   vtkSetClampMacro(Kind, int, AUTOMATIC, SMOOTH);
   vtkGetMacro(Kind, int);
@@ -120,11 +125,11 @@ public:
   ///@{
   /**
    * By how many pixels a shadow's edge may be off that of the smooth surface, from where the camera
-   * is. From it come the choice of AUTOMATIC and the tolerance of SMOOTH silhouettes: the pixel's size
-   * where the shadow falls, made smaller by as much as the light enlarges the caster there, rounded
-   * down to a power of two, so that a moving camera keeps most of its volumes, and at least 1e-6 of
-   * the caster's diagonal. It is measured across the light's rays: on a surface that these only graze,
-   * edges move by more. Default 0.5.
+   * is. From it come the choice of AUTOMATIC and the tolerance of SMOOTH silhouettes: the pixel's
+   * size where the shadow falls, made smaller by as much as the light enlarges the caster there,
+   * rounded down to a power of two, so that a moving camera keeps most of its volumes, and at least
+   * 1e-6 of the caster's diagonal. It is measured across the light's rays: on a surface that these
+   * only graze, edges move by more. Default 0.5.
    */
   vtkSetClampMacro(PixelTolerance, double, 1e-6, 1e6);
   vtkGetMacro(PixelTolerance, double);
@@ -132,10 +137,10 @@ public:
 
   ///@{
   /**
-   * How volumes are counted. Z_FAIL, from the surface to infinity, is right always. Z_PASS, from the
-   * eye to the surface, draws less, but is wrong where the eye is in shadow or the near plane cuts a
-   * volume: it is there for comparison. AUTOMATIC (the default) takes z-pass for each caster of which
-   * nothing is between the light and the part of the near plane that is seen, else z-fail.
+   * How volumes are counted. Z_FAIL, from the surface to infinity, is right always. Z_PASS, from
+   * the eye to the surface, draws less, but is wrong where the eye is in shadow or the near plane
+   * cuts a volume: it is there for comparison. AUTOMATIC (the default) takes z-pass for each caster
+   * of which nothing is between the light and the part of the near plane that is seen, else z-fail.
    */
   vtkSetClampMacro(Counting, int, AUTOMATIC, Z_FAIL);
   vtkGetMacro(Counting, int);
@@ -146,8 +151,8 @@ public:
 
   ///@{
   /**
-   * Rules that save time and leave the picture as it is, all on by default. Casters whose shadow does
-   * not come into view are left out.
+   * Whether casters whose shadow does not come into view are left out. Default on. This and the
+   * rules below save time and leave the picture as it is.
    */
   vtkSetMacro(SkipUnseenCasters, bool);
   vtkGetMacro(SkipUnseenCasters, bool);
@@ -156,7 +161,7 @@ public:
 
   ///@{
   /**
-   * Nor are those that are outside of a spot light's cone.
+   * Whether casters outside of a spot light's cone are left out for that light. Default on.
    */
   vtkSetMacro(SkipCastersOutsideCones, bool);
   vtkGetMacro(SkipCastersOutsideCones, bool);
@@ -165,7 +170,7 @@ public:
 
   ///@{
   /**
-   * Nor those in whose shadow nothing lies that shows one.
+   * Whether casters are left out in whose shadow nothing lies that could show it. Default on.
    */
   vtkSetMacro(SkipCastersWithoutReceivers, bool);
   vtkGetMacro(SkipCastersWithoutReceivers, bool);
@@ -174,8 +179,9 @@ public:
 
   ///@{
   /**
-   * Volumes end behind the bounds of all visible props, as far as all of their rays come there,
-   * instead of at infinity. A visible prop with UseBounds off keeps all of them infinite.
+   * Whether volumes end behind the bounds of all visible props, as far as all of their rays come
+   * there, instead of at infinity. A visible prop with UseBounds off keeps all of them infinite.
+   * Default on.
    */
   vtkSetMacro(FiniteVolumes, bool);
   vtkGetMacro(FiniteVolumes, bool);
@@ -184,7 +190,7 @@ public:
 
   ///@{
   /**
-   * Volumes are drawn within their bounds on the screen.
+   * Whether volumes are drawn only within their bounds on the screen. Default on.
    */
   vtkSetMacro(Scissor, bool);
   vtkGetMacro(Scissor, bool);
@@ -193,8 +199,8 @@ public:
 
   ///@{
   /**
-   * Volumes are drawn only over pixels whose depth is within theirs, where the driver has
-   * GL_EXT_depth_bounds_test.
+   * Whether volumes are drawn only over pixels whose depth is within theirs, where the driver has
+   * GL_EXT_depth_bounds_test. Default on.
    */
   vtkSetMacro(DepthBounds, bool);
   vtkGetMacro(DepthBounds, bool);
@@ -203,11 +209,12 @@ public:
 
   ///@{
   /**
-   * Depths of the last frame are used again if neither the camera nor anything opaque has changed, and
-   * masks if no light and no caster has, either. Changes are seen by the objects' times. Props other
-   * than actors and assemblies of them, and actors of classes of their own (vtkLODActor), may draw
-   * something else without a word: with such in view everything is drawn anew, as it is with a shader
-   * whose uniforms an observer sets.
+   * Whether depths of the last frame are used again if neither the camera nor anything opaque has
+   * changed, and masks if no light and no caster has, either. Changes are seen by the objects'
+   * times. Props other than actors and assemblies of them, and actors and mappers of classes of
+   * their own (vtkLODActor, vtkPointGaussianMapper), may draw something else without a word: with
+   * such in view everything is drawn anew, as it is with a shader whose uniforms an observer sets.
+   * Default on.
    */
   vtkSetMacro(ReuseUnchanged, bool);
   vtkGetMacro(ReuseUnchanged, bool);
@@ -225,11 +232,11 @@ public:
   ///@}
 
   /**
-   * What was done in the last frame, a row each: `Light` (number of the mask), `Caster` (number among
-   * those that cast, both from 0), `Decision`, `Reason` and `Milliseconds`. A row with a light and a
-   * caster is about its volume, and took the time to make and upload that; with a light alone, about
-   * counting all its volumes; with neither, about depths and shading. New table, to be deleted by the
-   * caller.
+   * What was done in the last frame, a row each: `Light` (number of the mask), `Caster` (number
+   * among those that cast, both from 0; -1 for none), `Decision`, `Reason` and `Milliseconds`. A
+   * row with a light and a caster is about its volume, and took the time to make and upload that;
+   * with a light alone, about counting all its volumes; with neither, about depths and shading. No
+   * rows if no light cast. New table, to be deleted by the caller.
    */
   VTK_NEWINSTANCE vtkTable* GetPlan();
 

@@ -13,8 +13,8 @@
 
 namespace benchmarks
 {
-/// An offscreen window of size x size pixels without multisampling. Ends the program with the reason
-/// if there is none.
+/// An offscreen window of size x size pixels without multisampling. Ends the program with the
+/// reason if there is none.
 inline vtkSmartPointer<vtkRenderWindow> openWindow(int size, vtkRenderer* renderer)
 {
   auto window =

@@ -93,7 +93,8 @@ class GoodRuns(ToolTest):
         # The eye is in the light here: both are right, up to pixels on an edge.
         self.assertEqual(shadowed["auto"], shadowed["zpass"])
         self.assertLess(abs(shadowed["auto"] - shadowed["zfail"]), 0.01 * shadowed["zfail"])
-        text = self.succeed("render", BUNNY, "-o", "out.png", "--ground", "--size", "240x180", "--plan")
+        text = self.succeed("render", BUNNY, "-o", "out.png", "--ground", "--size", "240x180",
+                            "--plan")
         self.assertRegex(text, r"\Aframe: depth drawn; .+ ms\n"
                          r"light 0, caster 0: z-pass, .+; .+ ms\n"
                          r"light 0: .+; .+ ms\nframe: shading; .+ ms\n")

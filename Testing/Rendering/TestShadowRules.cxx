@@ -1,5 +1,5 @@
-// Each rule of the plan: it has something to decide in these scenes, and whether it is on or off the
-// picture is the same.
+// Each rule of the plan: it has something to decide in these scenes, and whether it is on or off
+// the picture is the same.
 
 #include "ImageChecks.h"
 #include "ShadowScene.h"
@@ -50,8 +50,8 @@ const Rule Rules[] = {
 };
 
 /**
- * Boxes of which one lies in the light, one outside of a spot's cone, one out of view, and one beside
- * the ground that shows no shadows itself.
+ * Boxes of which one lies in the light, one outside of a spot's cone, one out of view, and one
+ * beside the ground that shows no shadows itself.
  */
 struct Stage : Scene
 {

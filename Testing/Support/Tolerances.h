@@ -115,12 +115,12 @@ constexpr double FaintPixels = 6e-3;
 /// tell. Up to 2 of 900,000 pixels were found.
 constexpr double StrayPixels = 3e-6;
 
-/// Window depth: the room that the plan leaves around a volume that is some ten units wide and away:
-/// 16 steps of 24 bits, and roundings of single precision.
+/// Window depth: the room that the plan leaves around a volume that is some ten units wide and
+/// away: 16 steps of 24 bits, and roundings of single precision.
 constexpr double DepthMargin = 1e-5;
 
-/// Steps of 255: a shaded colour against the formula. Half a step for rounding, the rest for normals
-/// and positions that shaders have in float.
+/// Steps of 255: a shaded colour against the formula. Half a step for rounding, the rest for
+/// normals and positions that shaders have in float.
 constexpr double Shade = 2.0;
 
 /// Steps of 255: a colour that was shaded by the same formula, but rounded in another buffer or

@@ -17,7 +17,6 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedIntArray.h"
 
-#include <algorithm>
 
 namespace
 {

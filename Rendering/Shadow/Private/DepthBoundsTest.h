@@ -1,6 +1,6 @@
 /**
- * GL_EXT_depth_bounds_test, where the driver has it: fragments are drawn only where the depth that is
- * stored already lies in a range. Of drivers of Mesa's that draw on the CPU softpipe has it and
+ * GL_EXT_depth_bounds_test, where the driver has it: fragments are drawn only where the depth that
+ * is stored already lies in a range. Of drivers of Mesa's that draw on the CPU softpipe has it and
  * llvmpipe has not.
  */
 #ifndef DepthBoundsTest_h
@@ -21,6 +21,21 @@ inline bool IsSupported()
 #else
   return false;
 #endif
+}
+
+/**
+ * The whole range if the test is off or not there.
+ */
+inline std::array<double, 2> GetRange()
+{
+  std::array<double, 2> range{ 0.0, 1.0 };
+#if defined(GLEW_EXT_depth_bounds_test) || defined(GLAD_GL_EXT_depth_bounds_test)
+  if (IsSupported() && glIsEnabled(GL_DEPTH_BOUNDS_TEST_EXT))
+  {
+    glGetDoublev(GL_DEPTH_BOUNDS_EXT, range.data());
+  }
+#endif
+  return range;
 }
 
 /**

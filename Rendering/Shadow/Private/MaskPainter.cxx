@@ -106,16 +106,22 @@ void MaskPainter::Release()
   this->Target.Release();
   this->DepthRecord = SceneRecord();
   this->MaskRecord = SceneRecord();
+  this->Plan.clear();
 }
 
 void MaskPainter::BeginFrame(vtkRenderer* renderer, const std::vector<ShadowLight>& lights,
   const SceneRecord& occluders, const MaskSettings& settings, vtkMTimeType settingsTime)
 {
   this->Settings = settings;
-  this->Plan.clear();
   this->Lights = lights;
   this->Casters = CollectShadowCasters(renderer, this->Surfaces);
-  this->Receivers = FindReceivers(renderer);
+  std::vector<vtkProp*> receivingProps;
+  this->Receivers = FindReceivers(renderer, receivingProps);
+  this->ReceiverOf.clear();
+  for (std::size_t i = 0; i < receivingProps.size(); ++i)
+  {
+    this->ReceiverOf.emplace(receivingProps[i], i);
+  }
   this->View = { FindWorldToClip(renderer), this->Target.GetWidth(), this->Target.GetHeight() };
 
   SceneRecord depth;
@@ -184,28 +190,22 @@ std::string MaskPainter::PaintMask(
   this->Target.OpenMask(state, mask);
   inFloats ? this->Counter.WriteMaskOfFloats(state, this->Target.GetCounts(), unit)
            : this->Counter.WriteMaskOfStencil(state);
-  this->AddStep({ mask, -1, inFloats ? "volumes counted in floats" : "volumes counted in the stencil",
-                  "something has changed" },
-    start);
+  const char* where = inFloats ? "volumes counted in floats" : "volumes counted in the stencil";
+  this->AddStep({ mask, -1, where, "something has changed" }, start);
   return error;
 }
 
 MaskPainter::PlannedVolume MaskPainter::PlanVolume(vtkRenderer* renderer, const ShadowPlan& plan,
   const ShadowLight& light, const ShadowCaster& caster)
 {
-  const bool isSmooth = this->Settings.Kind == vtkStencilShadowPass::AUTOMATIC ||
-    this->Settings.Kind == vtkStencilShadowPass::SMOOTH;
-  const double deviation = isSmooth ? this->Volumes.GetMeshDeviation(renderer, caster.Mesh) : 0.0;
   PlannedVolume planned;
-  planned.Plan = plan.Decide({ light.Position, light.Direction, light.ConeAngle },
-    CornersOf(BoundsWithContours(caster.Mesh, deviation), caster.ToWorld));
+  planned.Plan = this->Decide(renderer, plan, light, caster);
   if (planned.Plan.Skip)
   {
     return planned;
   }
   const int made = this->Volumes.GetNumberMade();
-  const VolumeCache::Quality quality =
-    this->ChooseQuality(planned.Plan, caster, deviation, planned.Plan.Reason);
+  const VolumeCache::Quality quality = this->ChooseQuality(renderer, caster, planned.Plan);
   const VolumeBuffers& buffers = this->Volumes.Get(renderer, caster.Mesh,
     caster.MoveIntoMesh(light.Position), quality, this->Counter.GetAttribute());
   if (buffers.IsEmpty())
@@ -223,28 +223,67 @@ MaskPainter::PlannedVolume MaskPainter::PlanVolume(vtkRenderer* renderer, const 
 }
 
 /**
- * Tolerances are bounded below: where the eye touches something a pixel may be as small as one likes.
+ * By bounds with room for contours that leave the mesh. How much they need takes time to find, once
+ * for a mesh: not for one that would be skipped with as much as it is large.
+ */
+CasterPlan MaskPainter::Decide(vtkRenderer* renderer, const ShadowPlan& plan,
+  const ShadowLight& light, const ShadowCaster& caster)
+{
+  constexpr double share = 0.1;
+  const PlanLight planLight{ light.Position, light.Direction, light.ConeAngle };
+  const auto own = this->ReceiverOf.find(caster.Prop);
+  const std::size_t receiver = own != this->ReceiverOf.end() ? own->second : ShadowPlan::NoReceiver;
+  const std::array<double, 6> bounds = FindFiniteBounds(caster.Mesh);
+  const double size = FindDiagonal(bounds);
+  const auto decide = [&](double room) {
+    return plan.Decide(planLight, CornersOf(WithRoom(bounds, room), caster.ToWorld), receiver);
+  };
+  const bool isSmooth = this->Settings.Kind == vtkStencilShadowPass::AUTOMATIC ||
+    this->Settings.Kind == vtkStencilShadowPass::SMOOTH;
+  if (!isSmooth)
+  {
+    return decide(share * size);
+  }
+  if (!this->Volumes.KnowsMeshDeviation(caster.Mesh))
+  {
+    const CasterPlan roomy = decide(size);
+    if (roomy.Skip)
+    {
+      return roomy;
+    }
+  }
+  return decide(share * size + 2.0 * this->Volumes.GetMeshDeviation(renderer, caster.Mesh));
+}
+
+/**
+ * Tolerances are bounded below: where the eye touches something a pixel may be as small as one
+ * likes.
  */
 VolumeCache::Quality MaskPainter::ChooseQuality(
-  const CasterPlan& plan, const ShadowCaster& caster, double deviation, std::string& reason)
+  vtkRenderer* renderer, const ShadowCaster& caster, CasterPlan& plan)
 {
   constexpr double finest = 1e-6;
-  const double scale = FindGreatestScale(caster.ToWorld);
-  const double size = caster.Mesh->GetLength();
-  const bool isChosen = this->Settings.Kind == vtkStencilShadowPass::AUTOMATIC;
-  const SilhouetteChoice choice = ChooseSilhouette(
-    isChosen ? deviation * scale : std::numeric_limits<double>::quiet_NaN(), plan.Pixel,
-    this->Settings.PixelTolerance);
-  VolumeCache::Quality quality{ this->Settings.Kind, 0.0, !plan.ZPass };
+  VolumeCache::Quality quality{ this->Settings.Kind, 1.0, !plan.ZPass };
+  const bool isChosen = quality.Kind == vtkStencilShadowPass::AUTOMATIC;
+  if (!isChosen && quality.Kind != vtkStencilShadowPass::SMOOTH)
+  {
+    return quality;
+  }
+  // All in the unit that the mesh's diagonal is.
+  const double size = FindDiagonal(FindFiniteBounds(caster.Mesh));
+  const double pixel = plan.Pixel / (FindGreatestScale(caster.ToWorld) * size);
+  const double deviation = isChosen ? this->Volumes.GetMeshDeviation(renderer, caster.Mesh) / size
+                                    : std::numeric_limits<double>::quiet_NaN();
+  const SilhouetteChoice choice =
+    ChooseSilhouette(deviation, pixel, this->Settings.PixelTolerance);
   if (isChosen)
   {
     quality.Kind = choice.Smooth ? vtkStencilShadowPass::SMOOTH : vtkStencilShadowPass::DISCRETE;
-    reason += "; " + choice.Reason;
+    plan.Reason += "; " + choice.Reason;
   }
-  if (quality.Kind == vtkStencilShadowPass::SMOOTH)
+  if (choice.Smooth)
   {
-    quality.Tolerance =
-      choice.Smooth ? std::clamp(choice.Tolerance / scale, finest * size, size) : size;
+    quality.Tolerance = std::clamp(choice.Tolerance, finest, 1.0);
   }
   return quality;
 }

@@ -1,6 +1,6 @@
 /**
- * Draws the masks of a frame by its plan, on depths that are there already, and keeps depths, volumes
- * and masks for as long as nothing changes that they depend on.
+ * Draws the masks of a frame by its plan, on depths that are there already, and keeps depths,
+ * volumes and masks for as long as nothing changes that they depend on.
  */
 #ifndef MaskPainter_h
 #define MaskPainter_h
@@ -15,7 +15,9 @@
 #include "VolumeCache.h"
 #include "VolumeCounter.h"
 
+#include <array>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -50,6 +52,11 @@ public:
   ShadowFramebuffer& GetTarget() { return this->Target; }
 
   /**
+   * Forgets what was done in the last frame.
+   */
+  void ClearPlan() { this->Plan.clear(); }
+
+  /**
    * Looks at the scene, and how much of the last frame is still valid. `occluders` records what
    * depths depend on besides the camera.
    */
@@ -59,8 +66,8 @@ public:
   bool NeedsDepth() const { return this->DepthIsOld; }
 
   /**
-   * Draws what is needed, with the depths in the target. `unit` is a texture unit that is free. Gives
-   * the reason if counts had to do with fewer bits than they may need, or nothing.
+   * Draws what is needed, with the depths in the target. `unit` is a texture unit that is free.
+   * Gives the reason if counts had to do with fewer bits than they may need, or nothing.
    */
   std::string Paint(vtkRenderer* renderer, int unit);
 
@@ -85,10 +92,12 @@ private:
   std::string PaintMask(vtkRenderer* renderer, const ShadowPlan& plan, int mask, int unit);
   PlannedVolume PlanVolume(vtkRenderer* renderer, const ShadowPlan& plan, const ShadowLight& light,
     const ShadowCaster& caster);
+  CasterPlan Decide(vtkRenderer* renderer, const ShadowPlan& plan, const ShadowLight& light,
+    const ShadowCaster& caster);
 
-  /// Adds why to the reasons.
+  /// Adds why to the plan's reasons.
   VolumeCache::Quality ChooseQuality(
-    const CasterPlan& plan, const ShadowCaster& caster, double deviation, std::string& reason);
+    vtkRenderer* renderer, const ShadowCaster& caster, CasterPlan& plan);
   void CountVolume(
     const PlannedVolume& volume, const ShadowLight& light, const ShadowCaster& caster);
 
@@ -104,6 +113,7 @@ private:
   PlanReceivers Receivers;
   std::vector<ShadowLight> Lights;
   std::vector<ShadowCaster> Casters;
+  std::unordered_map<vtkProp*, std::size_t> ReceiverOf; // number of a prop's bounds
   bool DepthIsOld = true;
   bool MasksAreOld = true;
   std::vector<PlanRow> Plan;

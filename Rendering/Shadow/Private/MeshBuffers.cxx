@@ -8,13 +8,12 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
 MeshBuffers::MeshBuffers(vtkPolyData* mesh)
 {
-  this->FindBounds(mesh);
+  this->FindOriginAndScale(mesh);
   std::vector<float> vertices;
   vertices.reserve(3 * static_cast<std::size_t>(mesh->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
@@ -36,7 +35,7 @@ MeshBuffers::~MeshBuffers()
   glDeleteBuffers(1, &this->Vertices);
 }
 
-void MeshBuffers::FindBounds(vtkPolyData* mesh)
+void MeshBuffers::FindOriginAndScale(vtkPolyData* mesh)
 {
   // Cells may name points that do not exist, and points may be no numbers: these cast nothing.
   vtkBoundingBox bounds;
@@ -67,7 +66,6 @@ void MeshBuffers::FindBounds(vtkPolyData* mesh)
   {
     return;
   }
-  bounds.GetBounds(this->Bounds.data());
   bounds.GetCenter(this->Origin.data());
   const double half = 0.5 * bounds.GetMaxLength();
   this->Scale = half > 0.0 ? half : 1.0;

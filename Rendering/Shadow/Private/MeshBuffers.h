@@ -28,20 +28,15 @@ public:
   double GetScale() const { return this->Scale; }
   std::array<float, 3> ToVertex(const double place[3]) const;
 
-  /**
-   * Of the points that triangles use, in VTK's order, in the mesh's coordinates.
-   */
-  const std::array<double, 6>& GetBounds() const { return this->Bounds; }
-
   unsigned int GetVertices() const { return this->Vertices; }
   std::size_t GetUploadedBytes() const { return this->UploadedBytes; }
 
 private:
-  void FindBounds(vtkPolyData* mesh);
+  // By the bounds of the points that triangles use.
+  void FindOriginAndScale(vtkPolyData* mesh);
 
   std::array<double, 3> Origin{};
   double Scale = 1.0;
-  std::array<double, 6> Bounds{};
   unsigned int Vertices = 0;
   std::size_t UploadedBytes = 0;
 };

@@ -1,5 +1,6 @@
 #include "RestoredState.h"
 
+#include "DepthBoundsTest.h"
 #include "OpenGLFunctions.h"
 
 #include "vtkOpenGLState.h"
@@ -56,6 +57,7 @@ RestoredState::RestoredState(vtkOpenGLState* state)
       GetInteger(queries[6]) };
   }
   this->DepthClamp = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
+  this->DepthBounds = DepthBoundsTest::GetRange();
   this->PolygonOffset = glIsEnabled(GL_POLYGON_OFFSET_FILL) == GL_TRUE;
   glGetFloatv(GL_POLYGON_OFFSET_FACTOR, &this->OffsetFactor);
   glGetFloatv(GL_POLYGON_OFFSET_UNITS, &this->OffsetUnits);
@@ -95,6 +97,7 @@ RestoredState::~RestoredState()
       static_cast<GLenum>(saved.DepthFail), static_cast<GLenum>(saved.DepthPass));
   }
   SetEnabled(GL_DEPTH_CLAMP, this->DepthClamp);
+  DepthBoundsTest::SetRange(this->DepthBounds);
   SetEnabled(GL_POLYGON_OFFSET_FILL, this->PolygonOffset);
   glPolygonOffset(this->OffsetFactor, this->OffsetUnits);
   glFrontFace(static_cast<GLenum>(this->FrontFace));

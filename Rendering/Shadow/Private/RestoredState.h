@@ -47,6 +47,7 @@ private:
   std::array<StencilFace, 2> Stencil;
 
   bool DepthClamp;
+  std::array<double, 2> DepthBounds; // the whole range if the test is off
   bool PolygonOffset;
   float OffsetFactor;
   float OffsetUnits;

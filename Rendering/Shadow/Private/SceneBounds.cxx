@@ -29,26 +29,6 @@ bool IsFinite(double value)
   return std::isfinite(value);
 }
 
-std::array<double, 6> BoundsOfFinitePoints(vtkPolyData* mesh)
-{
-  vtkBoundingBox box;
-  double point[3];
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    mesh->GetPoint(i, point);
-    if (std::all_of(point, point + 3, IsFinite))
-    {
-      box.AddPoint(point);
-    }
-  }
-  std::array<double, 6> bounds{};
-  if (box.IsValid())
-  {
-    box.GetBounds(bounds.data());
-  }
-  return bounds;
-}
-
 /**
  * False if it is certain that shadows on the prop are not drawn.
  */
@@ -61,10 +41,10 @@ bool CanShowShadows(vtkProp* prop)
 }
 }
 
-PlanReceivers FindReceivers(vtkRenderer* renderer)
+PlanReceivers FindReceivers(vtkRenderer* renderer, std::vector<vtkProp*>& receivingProps)
 {
   PlanReceivers receivers;
-  receivers.Bounded = true;
+  receivingProps.clear();
   vtkBoundingBox all;
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator iterator;
@@ -85,12 +65,12 @@ PlanReceivers FindReceivers(vtkRenderer* renderer)
       all.AddBounds(bounds);
       if (CanShowShadows(prop))
       {
+        receivingProps.push_back(prop);
         receivers.Bounds.emplace_back();
         std::copy_n(bounds, 6, receivers.Bounds.back().begin());
       }
     }
   }
-  receivers.AllBounds = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   receivers.Bounded = receivers.Bounded && all.IsValid();
   if (all.IsValid())
   {
@@ -99,21 +79,42 @@ PlanReceivers FindReceivers(vtkRenderer* renderer)
   return receivers;
 }
 
-std::array<double, 6> BoundsWithContours(vtkPolyData* mesh, double deviation)
+std::array<double, 6> FindFiniteBounds(vtkPolyData* mesh)
 {
-  constexpr double room = 0.1;
   std::array<double, 6> bounds;
   mesh->GetBounds(bounds.data());
-  if (!std::all_of(bounds.begin(), bounds.end(), IsFinite))
+  if (std::all_of(bounds.begin(), bounds.end(), IsFinite))
   {
-    bounds = BoundsOfFinitePoints(mesh);
+    return bounds;
   }
-  const double diagonal =
-    std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
-  const double margin = room * diagonal + 2.0 * deviation;
+  vtkBoundingBox box;
+  double point[3];
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    mesh->GetPoint(i, point);
+    if (std::all_of(point, point + 3, IsFinite))
+    {
+      box.AddPoint(point);
+    }
+  }
+  bounds.fill(0.0);
+  if (box.IsValid())
+  {
+    box.GetBounds(bounds.data());
+  }
+  return bounds;
+}
+
+double FindDiagonal(const std::array<double, 6>& bounds)
+{
+  return std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+}
+
+std::array<double, 6> WithRoom(std::array<double, 6> bounds, double room)
+{
   for (std::size_t i = 0; i < 6; ++i)
   {
-    bounds[i] += i % 2 == 0 ? -margin : margin;
+    bounds[i] += i % 2 == 0 ? -room : room;
   }
   return bounds;
 }

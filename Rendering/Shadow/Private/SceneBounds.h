@@ -6,6 +6,9 @@
 
 #include "ShadowPlan.h"
 
+#include <array>
+#include <vector>
+
 class vtkPolyData;
 class vtkProp;
 class vtkRenderer;
@@ -16,15 +19,22 @@ class vtkRenderer;
 bool MayReceive(vtkProp* prop);
 
 /**
- * What may show a shadow of the visible props, and the bounds of all of them. A prop that does not use
- * its bounds, or whose bounds are not finite, makes the scene unbounded.
+ * What may show a shadow of the visible props, and the bounds of all of them. A prop that does not
+ * use its bounds, or whose bounds are not finite, makes the scene unbounded. `receivingProps` are
+ * the props that the receivers' bounds belong to.
  */
-PlanReceivers FindReceivers(vtkRenderer* renderer);
+PlanReceivers FindReceivers(vtkRenderer* renderer, std::vector<vtkProp*>& receivingProps);
 
 /**
- * Bounds of a mesh's finite points with room for a contour that may leave it: `deviation` is the greatest distance of
- * an edge from the smooth surface's.
+ * Bounds of a mesh's finite points; all zero if there are none.
  */
-std::array<double, 6> BoundsWithContours(vtkPolyData* mesh, double deviation);
+std::array<double, 6> FindFiniteBounds(vtkPolyData* mesh);
+
+double FindDiagonal(const std::array<double, 6>& bounds);
+
+/**
+ * The bounds, wider by `room` on each side.
+ */
+std::array<double, 6> WithRoom(std::array<double, 6> bounds, double room);
 
 #endif

@@ -79,6 +79,7 @@ std::vector<ShadowCaster> CollectShadowCasters(vtkRenderer* renderer, DataSetSur
       {
         ShadowCaster caster;
         caster.Mesh = mesh.Mesh;
+        caster.Prop = prop;
         caster.ToWorld = toWorld * mesh.ToActor;
         if (Invert(caster.ToWorld, caster.ToMesh))
         {

@@ -12,6 +12,7 @@
 
 class DataSetSurfaces;
 class vtkPolyData;
+class vtkProp;
 class vtkRenderer;
 
 struct ShadowCaster
@@ -19,6 +20,11 @@ struct ShadowCaster
   vtkPolyData* Mesh = nullptr;
   Matrix4 ToWorld{};
   Matrix4 ToMesh{};
+
+  /**
+   * What of the renderer's it belongs to.
+   */
+  vtkProp* Prop = nullptr;
 
   /**
    * The light in the mesh's coordinates. Directions come out with unit length, so that volumes

@@ -1,5 +1,6 @@
 #include "ShadowFramebuffer.h"
 
+#include "DepthBoundsTest.h"
 #include "OpenGLFunctions.h"
 
 #include "vtkImageData.h"
@@ -153,6 +154,7 @@ void ShadowFramebuffer::BeginDepth(vtkOpenGLState* state)
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->DepthTarget);
   state->vtkglViewport(0, 0, this->Width, this->Height);
   state->vtkglDisable(GL_SCISSOR_TEST);
+  DepthBoundsTest::SetRange({ 0.0, 1.0 });
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglStencilMask(~0u);
   glClearBufferfi(GL_DEPTH_STENCIL, 0, 1.0f, 0);

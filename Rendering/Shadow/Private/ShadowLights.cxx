@@ -10,8 +10,8 @@
 namespace
 {
 /**
- * Where the light is and where it shines to. False if it has no finite position, or its direction is
- * no direction.
+ * Where the light is and where it shines to. False if it has no finite position, or its direction
+ * is no direction.
  */
 bool FindPlace(vtkLight* light, ShadowLight& result)
 {

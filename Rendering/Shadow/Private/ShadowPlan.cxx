@@ -38,6 +38,8 @@ ShadowPlan::ShadowPlan(const ShadowView& view, PlanReceivers receivers, const Sh
   , Rules(rules)
 {
   Matrix4 clipToWorld;
+  // It is left as it is if there is no inverse.
+  clipToWorld.fill(std::numeric_limits<double>::quiet_NaN());
   vtkMatrix4x4::Invert(view.WorldToClip.data(), clipToWorld.data());
   // Around the rectangle in turn.
   const double corners[4][2] = { { -1.0, -1.0 }, { 1.0, -1.0 }, { 1.0, 1.0 }, { -1.0, 1.0 } };
@@ -53,13 +55,15 @@ ShadowPlan::ShadowPlan(const ShadowView& view, PlanReceivers receivers, const Sh
   }
 }
 
-CasterPlan ShadowPlan::Decide(const PlanLight& light, const BoxCorners& caster) const
+CasterPlan ShadowPlan::Decide(
+  const PlanLight& light, const BoxCorners& caster, std::size_t ownReceiver) const
 {
   if (this->Rules.SkipOutsideCones && IsOutsideCone(light, caster))
   {
     return Skipped("it is outside of the light's cone");
   }
-  if (this->Rules.SkipWithoutReceivers && !this->SomethingReceives(light.Position, caster))
+  if (this->Rules.SkipWithoutReceivers &&
+    !this->SomethingReceives(light.Position, caster, ownReceiver))
   {
     return Skipped("nothing behind it receives");
   }
@@ -95,7 +99,8 @@ CasterPlan ShadowPlan::Decide(const PlanLight& light, const BoxCorners& caster) 
  * Usually the caster or the ground around it receives, whose bounds have the caster's middle in
  * them: that is found before any plane of its shadow is.
  */
-bool ShadowPlan::SomethingReceives(const Point4& light, const BoxCorners& caster) const
+bool ShadowPlan::SomethingReceives(
+  const Point4& light, const BoxCorners& caster, std::size_t ownReceiver) const
 {
   const Point3 middle = MiddleOf(caster);
   if (!this->Receivers.Bounded || !std::isfinite(Length(middle)))
@@ -107,7 +112,8 @@ bool ShadowPlan::SomethingReceives(const Point4& light, const BoxCorners& caster
       b[4] <= middle[2] && middle[2] <= b[5];
   };
   const std::vector<std::array<double, 6>>& bounds = this->Receivers.Bounds;
-  if (std::any_of(bounds.begin(), bounds.end(), holdsMiddle))
+  if ((ownReceiver < bounds.size() && holdsMiddle(bounds[ownReceiver])) ||
+    std::any_of(bounds.begin(), bounds.end(), holdsMiddle))
   {
     return true;
   }

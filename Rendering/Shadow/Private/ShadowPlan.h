@@ -119,12 +119,17 @@ public:
 
   /**
    * What to do for what lies in a box. Takes a microsecond or two, and for casters that lie in no
-   * receiver's bounds as many separations as there are receivers.
+   * receiver's bounds as many separations as there are receivers. `ownReceiver` is the number of
+   * the caster's own bounds among the receivers', if it is known: it is looked at first.
    */
-  CasterPlan Decide(const PlanLight& light, const BoxCorners& caster) const;
+  CasterPlan Decide(const PlanLight& light, const BoxCorners& caster,
+    std::size_t ownReceiver = NoReceiver) const;
+
+  static constexpr std::size_t NoReceiver = static_cast<std::size_t>(-1);
 
 private:
-  bool SomethingReceives(const Point4& light, const BoxCorners& caster) const;
+  bool SomethingReceives(
+    const Point4& light, const BoxCorners& caster, std::size_t ownReceiver) const;
   Point4 FindEnd(const Point4& light, const BoxCorners& caster) const;
   bool NearPlaneIsFree(const Point4& light, const BoxCorners& caster) const;
 

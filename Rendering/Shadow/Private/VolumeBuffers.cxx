@@ -2,7 +2,6 @@
 
 #include "OpenGLFunctions.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -63,16 +62,13 @@ void VolumeBuffers::PlaceRims(vtkPolyData* end, std::vector<float>& vertices)
 
 void VolumeBuffers::PlacePoints(vtkPolyData* end, std::vector<float>& vertices)
 {
-  vtkBoundingBox bounds(this->Mesh->GetBounds().data());
   for (vtkIdType i = 0; i < end->GetNumberOfPoints(); ++i)
   {
     double place[3];
     end->GetPoint(i, place);
-    bounds.AddPoint(place);
     const std::array<float, 3> vertex = this->Mesh->ToVertex(place);
     vertices.insert(vertices.end(), vertex.begin(), vertex.end());
   }
-  bounds.GetBounds(this->Bounds.data());
 }
 
 std::size_t VolumeBuffers::Upload(

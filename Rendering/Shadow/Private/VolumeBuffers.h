@@ -51,11 +51,6 @@ public:
 
   const MeshBuffers& GetMesh() const { return *this->Mesh; }
 
-  /**
-   * Bounds of all points but those where shadows end, in VTK's order, in the mesh's coordinates.
-   */
-  const std::array<double, 6>& GetBounds() const { return this->Bounds; }
-
   bool IsEmpty() const { return this->RimFirst.empty() && this->CapIndices == 0; }
 
   /**
@@ -80,7 +75,6 @@ private:
   void DrawTriangles(VertexArray array, int first, int count) const;
 
   std::shared_ptr<const MeshBuffers> Mesh;
-  std::array<double, 6> Bounds{};
   int GreatestDepth = 0;
   bool LightOutside = true;
 

@@ -59,7 +59,6 @@ vtkPolyData* VolumeCache::MakeNearEnd(Caster& caster, const std::array<double, 4
 {
   caster.Silhouette->SetLightPosition(light.data());
   caster.Silhouette->SetKind(quality.Kind);
-  caster.Silhouette->SetToleranceModeToWorld();
   caster.Silhouette->SetTolerance(quality.Tolerance);
   withCaps = quality.WithCaps;
   for (;;)
@@ -79,7 +78,19 @@ vtkPolyData* VolumeCache::MakeNearEnd(Caster& caster, const std::array<double, 4
 
 double VolumeCache::GetMeshDeviation(vtkRenderer* renderer, vtkPolyData* mesh)
 {
-  return this->Find(renderer, mesh).Silhouette->ComputeMeshDeviation();
+  Caster& caster = this->Find(renderer, mesh);
+  if (caster.DeviationTime != mesh->GetMTime())
+  {
+    caster.MeshDeviation = caster.Silhouette->ComputeMeshDeviation();
+    caster.DeviationTime = mesh->GetMTime();
+  }
+  return caster.MeshDeviation;
+}
+
+bool VolumeCache::KnowsMeshDeviation(vtkPolyData* mesh) const
+{
+  const auto found = this->Casters.find(mesh);
+  return found != this->Casters.end() && found->second.DeviationTime == mesh->GetMTime();
 }
 
 void VolumeCache::EndFrame(vtkRenderer* renderer)

@@ -35,7 +35,7 @@ public:
   struct Quality
   {
     int Kind;
-    double Tolerance; // in the mesh's coordinates
+    double Tolerance; // a share of the mesh's diagonal
     bool WithCaps; // z-pass draws none
   };
 
@@ -64,6 +64,7 @@ public:
    * modified.
    */
   double GetMeshDeviation(vtkRenderer* renderer, vtkPolyData* mesh);
+  bool KnowsMeshDeviation(vtkPolyData* mesh) const;
 
   /**
    * Since the beginning of the frame: volumes, and bytes that went to the graphics card.
@@ -107,6 +108,8 @@ private:
     vtkNew<vtkShadowVolumeExtruder> Extruder;
     std::shared_ptr<const MeshBuffers> Mesh;
     vtkMTimeType MeshTime = 0;
+    double MeshDeviation = 0.0;
+    vtkMTimeType DeviationTime = 0;
     std::map<Key, Volume> Volumes;
     std::vector<Spare> Spares;
   };

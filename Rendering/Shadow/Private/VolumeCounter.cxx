@@ -1,6 +1,7 @@
 #include "VolumeCounter.h"
 
 #include "DepthBoundsTest.h"
+#include "MeshBuffers.h"
 #include "OpenGLFunctions.h"
 #include "VolumeBuffers.h"
 
@@ -128,11 +129,12 @@ namespace
  */
 std::array<float, 4> ToVolume(const VolumeBuffers& volume, const std::array<double, 4>& light)
 {
+  const MeshBuffers& mesh = volume.GetMesh();
   std::array<double, 4> moved = light;
   double largest = std::abs(light[3]);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    moved[axis] = (light[axis] - light[3] * volume.GetMesh().GetOrigin()[axis]) / volume.GetMesh().GetScale();
+    moved[axis] = (light[axis] - light[3] * mesh.GetOrigin()[axis]) / mesh.GetScale();
     largest = std::max(largest, std::abs(moved[axis]));
   }
   std::array<float, 4> result;

@@ -4,9 +4,9 @@
  * up to 2^24 and dearer.
  *
  * z-fail: behind each pixel's surface, back faces count 1 and front faces -1. What remains is how
- * many volumes the surface lies in, wherever the eye is. z-pass: in front of it, front faces count 1
- * and back faces -1, which is the same if the eye is in none and the near plane cuts none. Caps lie on
- * surfaces or behind them, and so are not counted there, nor are far ends.
+ * many volumes the surface lies in, wherever the eye is. z-pass: in front of it, front faces count
+ * 1 and back faces -1, which is the same if the eye is in none and the near plane cuts none. Caps
+ * lie on surfaces or behind them, and so are not counted there, nor are far ends.
  */
 #ifndef VolumeCounter_h
 #define VolumeCounter_h
@@ -53,8 +53,9 @@ public:
   void BeginCountingInFloats(vtkOpenGLState* state);
 
   /**
-   * `ToClip` takes the mesh to clip coordinates; the light and the plane at which the volume ends (all
-   * zero: at infinity) are in the mesh's. DepthRange holds the window depths of all its points.
+   * `ToClip` takes the mesh to clip coordinates; the light and the plane at which the volume ends
+   * (all zero: at infinity) are in the mesh's. DepthRange holds the window depths of all its
+   * points.
    */
   struct Placement
   {

@@ -82,6 +82,13 @@ bool VolumeView::IsSeen() const
  */
 std::array<int, 4> VolumeView::FindScissor() const
 {
+  const auto isFinite = [](const Point4& point) {
+    return std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); });
+  };
+  if (!std::all_of(this->Points.begin(), this->Points.end(), isFinite))
+  {
+    return { 0, 0, this->View.Width, this->View.Height };
+  }
   double lower[2] = { 1.0, 1.0 };
   double upper[2] = { -1.0, -1.0 };
   const auto add = [&](const Point4& point) {

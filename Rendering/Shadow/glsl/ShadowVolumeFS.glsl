@@ -1,7 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// What a front face counts, for a buffer of floats; with the stencil counting, colour is not written.
+// What a front face counts, for a buffer of floats; with the stencil counting, colour is not
+// written.
 uniform float frontCounts;
 
 void main()

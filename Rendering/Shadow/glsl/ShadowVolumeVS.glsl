@@ -7,15 +7,16 @@ in vec4 vertex;
 // Whether all vertices are ends.
 uniform int endsOnly;
 
-// The light, homogeneous, and a plane behind all that receives, positive in front; all zero if shadows
-// end at infinity.
+// The light, homogeneous, and a plane behind all that receives, positive in front; all zero if
+// shadows end at infinity.
 uniform vec4 light;
 uniform vec4 end;
 uniform mat4 volumeToClip;
 
 void main()
 {
-  // Combined in clip coordinates, so that an end lies on the line through its place as that is drawn.
+  // Combined in clip coordinates, so that an end lies on the line through its place as that is
+  // drawn.
   vec4 place = volumeToClip * vec4(vertex.xyz, 1.0);
   if (vertex.w == 0.0 || endsOnly != 0)
   {
