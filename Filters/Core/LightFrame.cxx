@@ -5,8 +5,8 @@ namespace shadow
 namespace
 {
 /// Nearer than this many radii of the scene a light is among it: farther away the cone around the
-/// scene is narrow enough for one plane chart.
-constexpr double nearRadii = 1.5;
+/// scene is narrow enough for one plane chart. Rounding the centre takes up to 0.22 radii of it.
+constexpr double nearRadii = 1.75;
 
 /// Of the coordinate axes the one that a vector is least along.
 Vec3 leastAxis(const Vec3& v)
@@ -25,12 +25,23 @@ Vec3 scaledToOne(const Vec3& v)
   return Vec3(
     std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent));
 }
+
+/// To a number of few digits, so that differences from it do not round what had few digits before.
+Vec3 roundedCentre(const Box& bounds, double radius)
+{
+  int exponent;
+  std::frexp(radius, &exponent);
+  const double step = std::ldexp(1.0, exponent - 3);
+  const Vec3 centre = 0.5 * (bounds.low + bounds.high);
+  const Vec3 rounded = step * glm::round(centre / step);
+  return isFinite(rounded) ? rounded : centre;
+}
 }
 
 LightFrame::LightFrame(const Light& light, const Box& bounds)
 {
-  const Vec3 centre = 0.5 * (bounds.low + bounds.high);
   const double radius = 0.5 * glm::length(bounds.high - bounds.low);
+  const Vec3 centre = roundedCentre(bounds, radius);
   const Vec3 toLight =
     light.isDirectional() ? light.position : light.position / light.w - centre;
   const bool isNear = !light.isDirectional() && !(glm::length(toLight) > nearRadii * radius);
