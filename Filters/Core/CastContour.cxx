@@ -1,8 +1,9 @@
 #include "CastContour.h"
 
-#include "ContourLines.h"
+#include "HiddenContours.h"
 
 #include <chrono>
+#include <optional>
 
 namespace shadow
 {
@@ -29,52 +30,98 @@ private:
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 
-Box boundsOf(const ContourLoops& loops, const std::vector<ContourReceiver>& receivers)
+Box boundsOf(const ContourScene& scene)
 {
   Box bounds;
-  for (const Vec3& point : loops.points)
+  for (const Vec3& point : scene.loops.points)
   {
     bounds.add(point);
   }
-  for (const ContourReceiver& receiver : receivers)
+  for (const auto* meshes : { &scene.receivers, &scene.casters })
   {
-    bounds.add(receiver.mesh->bounds());
+    for (const ContourReceiver& mesh : *meshes)
+    {
+      bounds.add(mesh.mesh->bounds());
+    }
   }
   return bounds;
 }
 
-ContourWalls buildWalls(const ContourLoops& loops, const LightFrame& frame, TreeBuilder builder,
-  ContourReport& report)
+/// Adds the contours on one receiver after the other.
+class Casting
 {
-  const Stopwatch watch(report.seconds.build);
-  return ContourWalls(loops, frame, builder);
-}
+public:
+  Casting(const ContourScene& scene, const ContourSettings& settings, const RangeLoop& loop,
+    ContourReport& report)
+    : Scene(scene)
+    , Settings(settings)
+    , Loop(loop)
+    , Report(report)
+    , Frame(scene.light, boundsOf(scene))
+  {
+    {
+      const Stopwatch watch(report.seconds.build);
+      this->Walls.emplace(scene.loops, this->Frame, settings.builder);
+    }
+    if (!scene.casters.empty() && !this->Walls->touchesLight())
+    {
+      const Stopwatch watch(report.seconds.hidden);
+      this->Blockers.emplace(scene.casters, this->Frame, loop);
+    }
+  }
+
+  const ContourWalls& walls() const { return *this->Walls; }
+
+  void add(Index number, CastContours& lines) const
+  {
+    std::vector<ContourPiece> pieces;
+    ContourChains chains;
+    std::vector<PieceLine> straight;
+    std::optional<ReceiverView> receiver;
+    {
+      const Stopwatch watch(this->Report.seconds.query);
+      receiver.emplace(this->Scene.receivers[number], this->Frame, this->Loop);
+      pieces = findPieces(*this->Walls, *receiver, this->Loop, this->Report.visits);
+      chains = joinPieces(pieces, *this->Walls, *receiver);
+      straight = pieceLines(pieces, *this->Walls, this->Scene.loops, *receiver, this->Loop);
+    }
+    HiddenSpans hidden;
+    if (this->Blockers)
+    {
+      const Stopwatch watch(this->Report.seconds.hidden);
+      hidden = this->Blockers->hiddenSpans(
+        pieces, straight, *this->Walls, this->Scene.loops, this->Loop);
+    }
+    const Stopwatch watch(this->Report.seconds.query);
+    this->Report.loose += chains.loose;
+    appendLines(chains, pieces, straight, hidden, *this->Walls, *receiver, number,
+      this->Settings.keepHidden, lines);
+  }
+
+private:
+  const ContourScene& Scene;
+  const ContourSettings& Settings;
+  const RangeLoop& Loop;
+  ContourReport& Report;
+  LightFrame Frame;
+  std::optional<ContourWalls> Walls;
+  std::optional<ContourBlockers> Blockers;
+};
 }
 
-CastContours castContours(const ContourLoops& loops, const std::vector<ContourReceiver>& receivers,
-  const Light& light, TreeBuilder builder, const RangeLoop& loop, ContourReport& report)
+CastContours castContours(const ContourScene& scene, const ContourSettings& settings,
+  const RangeLoop& loop, ContourReport& report)
 {
   CastContours lines;
-  if (loops.points.empty() || receivers.empty())
+  if (scene.loops.points.empty() || scene.receivers.empty())
   {
     return lines;
   }
-  const LightFrame frame(light, boundsOf(loops, receivers));
-  const ContourWalls walls = buildWalls(loops, frame, builder, report);
-  report.lightPoint = walls.lightPoint();
-  if (walls.touchesLight())
+  const Casting casting(scene, settings, loop, report);
+  report.lightPoint = casting.walls().lightPoint();
+  for (std::size_t i = 0; i < scene.receivers.size() && report.lightPoint == None; ++i)
   {
-    return lines;
-  }
-  const Stopwatch watch(report.seconds.query);
-  for (std::size_t i = 0; i < receivers.size(); ++i)
-  {
-    const ReceiverView receiver(receivers[i], frame, loop);
-    const std::vector<ContourPiece> pieces = findPieces(walls, receiver, loop, report.visits);
-    const ContourChains chains = joinPieces(pieces, walls, receiver);
-    report.loose += chains.loose;
-    appendLines(chains, pieces, pieceLines(pieces, walls, loops, receiver, loop), {}, walls,
-      receiver, static_cast<Index>(i), lines);
+    casting.add(static_cast<Index>(i), lines);
   }
   return lines;
 }

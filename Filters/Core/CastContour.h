@@ -43,7 +43,22 @@ struct ContourReport
   Index lightPoint = None;
 };
 
+/// What casts contours on what.
+struct ContourScene
+{
+  ContourLoops loops;
+  std::vector<ContourReceiver> receivers;
+  std::vector<ContourReceiver> casters; ///< that hide contours; none: all are visible
+  Light light;
+};
+
+struct ContourSettings
+{
+  TreeBuilder builder = TreeBuilder::Morton;
+  bool keepHidden = false; ///< as lines of their own
+};
+
 /// Where the walls of shadow behind the loops meet the receivers. Same bytes whatever the threads.
-CastContours castContours(const ContourLoops& loops, const std::vector<ContourReceiver>& receivers,
-  const Light& light, TreeBuilder builder, const RangeLoop& loop, ContourReport& report);
+CastContours castContours(const ContourScene& scene, const ContourSettings& settings,
+  const RangeLoop& loop, ContourReport& report);
 }

@@ -114,6 +114,42 @@ void addStretches(
 }
 }
 
+namespace
+{
+/// Turns runs of stretches that are hidden or visible for too short a length. What begins or ends a
+/// chain is left as it is.
+void dropShort(
+  std::vector<Stretch>& stretches, const std::vector<PieceLine>& straight, double least)
+{
+  const auto turn = [&](std::size_t begin, std::size_t end)
+  {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      stretches[i].visible = !stretches[i].visible;
+    }
+  };
+  std::size_t begin = 0;
+  while (begin < stretches.size())
+  {
+    std::size_t end = begin;
+    double length = 0.0;
+    for (; end < stretches.size() && stretches[end].visible == stretches[begin].visible; ++end)
+    {
+      const PieceLine& line = straight[stretches[end].piece];
+      length += (stretches[end].to - stretches[end].from) *
+        glm::distance(line.from.point, line.to.point);
+    }
+    // One that was turned before may have made this one the same as what is before it.
+    if (begin > 0 && end < stretches.size() && length < least &&
+      stretches[begin - 1].visible != stretches[begin].visible)
+    {
+      turn(begin, end);
+    }
+    begin = end;
+  }
+}
+}
+
 std::vector<PieceLine> pieceLines(const std::vector<ContourPiece>& pieces,
   const ContourWalls& walls, const ContourLoops& loops, const ReceiverView& receiver,
   const RangeLoop& loop)
@@ -133,7 +169,7 @@ std::vector<PieceLine> pieceLines(const std::vector<ContourPiece>& pieces,
 
 void appendLines(const ContourChains& chains, const std::vector<ContourPiece>& pieces,
   const std::vector<PieceLine>& straight, const HiddenSpans& hidden, const ContourWalls& walls,
-  const ReceiverView& receiver, Index receiverNumber, CastContours& lines)
+  const ReceiverView& receiver, Index receiverNumber, bool keepHidden, CastContours& lines)
 {
   LineWriter writer(pieces, straight, walls, receiver, receiverNumber, lines);
   std::vector<Stretch> stretches;
@@ -144,6 +180,7 @@ void appendLines(const ContourChains& chains, const std::vector<ContourPiece>& p
     {
       addStretches(chains.pieces[i], hidden, stretches);
     }
+    dropShort(stretches, straight, hidden.least);
     const auto changes = [](const Stretch& l, const Stretch& r) { return l.visible != r.visible; };
     auto change = std::adjacent_find(stretches.begin(), stretches.end(), changes);
     const bool closed = chains.closed[chain] && change == stretches.end();
@@ -156,7 +193,10 @@ void appendLines(const ContourChains& chains, const std::vector<ContourPiece>& p
     {
       change = std::adjacent_find(begin, stretches.end(), changes);
       const auto end = change == stretches.end() ? change : change + 1;
-      writer.write(&*begin, &*begin + (end - begin), closed);
+      if (begin->visible || keepHidden)
+      {
+        writer.write(&*begin, &*begin + (end - begin), closed);
+      }
       begin = end;
     }
   }

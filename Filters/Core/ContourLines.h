@@ -11,6 +11,9 @@ struct HiddenSpans
 {
   std::vector<std::size_t> first; ///< where those of each piece begin, and the end
   std::vector<std::array<double, 2>> spans;
+  /// Parts of lines that are hidden or visible for less than this length count as what is around
+  /// them.
+  double least = 0.0;
 };
 
 /// A piece as a straight line.
@@ -24,8 +27,10 @@ std::vector<PieceLine> pieceLines(const std::vector<ContourPiece>& pieces,
   const ContourWalls& walls, const ContourLoops& loops, const ReceiverView& receiver,
   const RangeLoop& loop);
 
-/// Appends the chains to the lines, cut where they become hidden or visible.
+/// Appends the chains to the lines, cut where they become hidden or visible; what is hidden is left
+/// out unless it is kept.
 void appendLines(const ContourChains& chains, const std::vector<ContourPiece>& pieces,
   const std::vector<PieceLine>& straight, const HiddenSpans& hidden, const ContourWalls& walls,
-  const ReceiverView& receiver, Index receiverNumber, CastContours& lines);
+  const ReceiverView& receiver, Index receiverNumber, bool keepHidden,
+  CastContours& lines);
 }

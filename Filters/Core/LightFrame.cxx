@@ -51,6 +51,7 @@ LightFrame::LightFrame(const Light& light, const Box& bounds)
   this->Across = glm::cross(leastAxis(this->Along), this->Along);
   this->Up = glm::cross(this->Along, this->Across);
   this->Distance = this->Kind == Kinds::Far ? glm::dot(toLight, this->Along) : 0.0;
+  this->Size = radius;
   // Of a few products and sums of a coordinate and an axis, which is shorter than 2, and of what
   // rounding the points' own coordinates may have done.
   const double farthest = largestComponent(

@@ -35,6 +35,9 @@ public:
   /// Whether all views within the bounds have a positive z.
   bool hasOneChart() const { return this->Kind != Kinds::Near; }
 
+  /// Of the scene, in places: the radius of a ball around the bounds.
+  double size() const { return this->Size; }
+
   /// How far off the coordinates of a place may be by rounding.
   double placeError() const { return this->Error; }
 
@@ -52,6 +55,7 @@ private:
   Vec3 Up;
   Vec3 Along; ///< towards the light
   double Distance = 0.0;
+  double Size = 0.0;
   double Error = 0.0;
 };
 }

@@ -25,6 +25,17 @@ std::vector<vtkPolyData*> inputsOf(vtkInformationVector* port)
   return inputs;
 }
 
+std::vector<shadow::ContourReceiver> meshesOf(
+  const std::vector<std::shared_ptr<const PreparedReceiver>>& prepared)
+{
+  std::vector<shadow::ContourReceiver> meshes;
+  for (const auto& one : prepared)
+  {
+    meshes.push_back({ &one->mesh, &one->edges });
+  }
+  return meshes;
+}
+
 vtkPolyData* firstTooLarge(const std::vector<vtkPolyData*>& meshes)
 {
   const auto found = std::find_if(meshes.begin(), meshes.end(), isTooLarge);
@@ -88,6 +99,8 @@ int vtkCastShadowContour::RequestData(
 {
   const std::vector<vtkPolyData*> silhouettes = inputsOf(inputVector[0]);
   const std::vector<vtkPolyData*> meshes = inputsOf(inputVector[1]);
+  const std::vector<vtkPolyData*> blockers =
+    this->RemoveHidden ? inputsOf(inputVector[2]) : std::vector<vtkPolyData*>();
   double position[4];
   std::copy_n(this->LightPosition, 4, position);
   if (lightOf(silhouettes, position) == SilhouetteLight::Different)
@@ -101,29 +114,32 @@ int vtkCastShadowContour::RequestData(
     vtkErrorMacro(<< describeBadLight(position));
     return 0;
   }
-  if (vtkPolyData* mesh = firstTooLarge(meshes))
+  for (const auto* inputs : { &meshes, &blockers })
   {
-    vtkErrorMacro(<< describeTooLarge(mesh));
-    return 0;
+    if (vtkPolyData* mesh = firstTooLarge(*inputs))
+    {
+      vtkErrorMacro(<< describeTooLarge(mesh));
+      return 0;
+    }
   }
 
   ContourInput input;
+  shadow::ContourScene& scene = input.scene;
+  scene.light = light;
   for (std::size_t i = 0; i < silhouettes.size(); ++i)
   {
     addSilhouette(silhouettes[i], static_cast<int>(i), input);
   }
-  const auto prepared = this->Receivers->get(meshes);
-  std::vector<shadow::ContourReceiver> receivers;
-  for (const auto& receiver : prepared)
-  {
-    receivers.push_back({ &receiver->mesh, &receiver->edges });
-  }
+  const auto receivers = this->Receivers->get(meshes);
+  const auto casters = this->Casters->get(blockers);
+  scene.receivers = meshesOf(receivers);
+  scene.casters = meshesOf(casters);
   shadow::ContourReport report;
-  shadow::CastContours contours = shadow::castContours(input.loops, receivers, light,
-    static_cast<shadow::TreeBuilder>(this->Builder), smpRangeLoop, report);
+  shadow::CastContours contours = shadow::castContours(scene,
+    { static_cast<shadow::TreeBuilder>(this->Builder), this->KeepHidden }, smpRangeLoop, report);
   if (report.lightPoint != shadow::None)
   {
-    const shadow::Vec3& at = input.loops.points[report.lightPoint];
+    const shadow::Vec3& at = scene.loops.points[report.lightPoint];
     vtkErrorMacro("The light lies on a silhouette, at or beside (" << at.x << ", " << at.y << ", "
       << at.z << "), which then casts in all directions: move it off the caster.");
     return 0;

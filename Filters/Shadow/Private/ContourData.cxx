@@ -1,5 +1,7 @@
 #include "ContourData.h"
 
+#include "SilhouetteChain.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -87,6 +89,9 @@ void writeLines(const shadow::CastContours& contours, vtkPolyData* output)
 void addSilhouette(vtkPolyData* silhouette, int number, ContourInput& contours)
 {
   vtkCellArray* lines = silhouette->GetLines();
+  vtkDataArray* kind = silhouette->GetFieldData()->GetArray("SilhouetteKind");
+  const bool isOfEdges = !kind || kind->GetNumberOfTuples() < 1 ||
+    kind->GetComponent(0, 0) == static_cast<int>(shadow::SilhouetteKind::Discrete);
   std::vector<shadow::Vec3> points;
   for (vtkIdType cell = 0; cell < lines->GetNumberOfCells(); ++cell)
   {
@@ -115,7 +120,7 @@ void addSilhouette(vtkPolyData* silhouette, int number, ContourInput& contours)
     {
       points.pop_back();
     }
-    contours.loops.add(points, closed);
+    contours.scene.loops.add(points, closed, isOfEdges);
     contours.input.push_back(number);
     contours.cell.push_back(static_cast<int>(cell));
   }

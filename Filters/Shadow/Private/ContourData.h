@@ -9,7 +9,7 @@ class vtkPolyData;
 // Silhouettes of several inputs as loops, with where they come from.
 struct ContourInput
 {
-  shadow::ContourLoops loops;
+  shadow::ContourScene scene; // its loops
   std::vector<int> input; // of each loop: number of the silhouette
   std::vector<int> cell;  // and of its line there
 };
