@@ -15,7 +15,7 @@ public:
 
   /// Where triangles are between the light and pieces, which are straight lines on a receiver. A
   /// piece lies where the shadow of its own segment ends; so it is looked at as if it were moved by
-  /// a share of 1e-7 of the scene to the side that is lit, and there every triangle hides what is
+  /// a share of 1e-9 of the scene to the side that is lit, and there every triangle hides what is
   /// behind it: the hidden parts are the union of what triangles cut from the line, whatever
   /// touches or pierces whatever.
   ///

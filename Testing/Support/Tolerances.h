@@ -78,6 +78,14 @@ constexpr double SphereContour = 1e-5;
 /// 1e-4.
 constexpr double CutContour = 1e-9;
 
+/// How far beside a contour rays tell whether it is visible: a few times the slack with which the ray
+/// cast passes edges.
+constexpr double BesideContour = 1e-6;
+
+/// Share of contours' length that may count as visible where rays say hidden, or the other way
+/// around.
+constexpr double HiddenLength = 1e-4;
+
 /// Least share of the reported bound that the true deviation reaches somewhere: a looser bound
 /// would subdivide for nothing. An arc's bound is exact, that of an S-shaped piece 2.6 times its
 /// deviation.
