@@ -279,7 +279,8 @@ TEST(HiddenContours, CastersAsReceivers)
   {
     // Beside a contour that runs along a hollow a ray that begins on the receiver's plane begins
     // under the hollow's other side; one that begins ahead may be beyond what is close above.
-    expectRight(name, { { mesh }, { mesh }, { 0.3, 0.2, 1.0, 0.0 } }, { { 0.5, 0.0 }, { 0.0, 10.0 } });
+    expectRight(
+      name, { { mesh }, { mesh }, { 0.3, 0.2, 1.0, 0.0 } }, { { 0.5, 0.0 }, { 0.0, 10.0 } });
   }
 }
 
