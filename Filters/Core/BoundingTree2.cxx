@@ -1,18 +1,27 @@
 #include "BoundingTree2.h"
 
+#include <cstring>
 #include <numeric>
 
 namespace shadow
 {
 namespace
 {
+/// The float before another one, as std::nextafter gives it, which is a call for each.
+float before(float value)
+{
+  std::uint32_t bits;
+  std::memcpy(&bits, &value, sizeof(bits));
+  bits = value > 0.0f ? bits - 1 : value < 0.0f ? bits + 1 : 0x80000001u;
+  std::memcpy(&value, &bits, sizeof(bits));
+  return value;
+}
+
 /// The greatest float that is not greater.
 float below(double value)
 {
   const float nearest = static_cast<float>(value);
-  return static_cast<double>(nearest) > value
-    ? std::nextafter(nearest, -std::numeric_limits<float>::infinity())
-    : nearest;
+  return static_cast<double>(nearest) > value ? before(nearest) : nearest;
 }
 
 /// Twice the centre of a box, on an axis.

@@ -164,6 +164,20 @@ TEST(BoundingTree2, RoundsBoxesOutward)
     ++tested;
   }
   EXPECT_EQ(tested, 2000);
+
+  // Around zero and at the ends of what floats can say.
+  for (const double x : { 0.0, 1e-50, -1e-50, 1.0, 1.0 + 1e-12, 1e300, -1e300 })
+  {
+    Box2 box;
+    box.add(x, x);
+    EXPECT_LE(static_cast<double>(box.ends[0]), x);
+    EXPECT_GE(static_cast<double>(-box.ends[2]), x);
+    const float nearest = static_cast<float>(x);
+    EXPECT_EQ(box.ends[0],
+      static_cast<double>(nearest) > x
+        ? std::nextafter(nearest, -std::numeric_limits<float>::infinity())
+        : nearest);
+  }
 }
 
 TEST(BoundingTree2, LooksAtFewWhereItSorts)
