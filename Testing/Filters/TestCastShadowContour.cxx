@@ -381,6 +381,69 @@ TEST(CastShadowContour, RefusesWhatIsNoScene)
   EXPECT_FALSE(noCaster.Errors->GetError());
 }
 
+// A far light's contours are those of its direction, as nearly as it is far.
+TEST(CastShadowContour, FarLightsAreDirections)
+{
+  Random random(43);
+  const Mesh field = terrain(random, 20, 9.0, -1.5, 0.4, false);
+  const LightPosition direction{ 0.2, 0.3, 1.0, 0.0 };
+  Contours toDirection({ starShaped(3, 4) }, { field }, direction);
+  const SegmentChain expected = chainOf(toDirection.update());
+  ASSERT_GT(expected.Segments.size(), 50u);
+  for (const double distance : { 1e6, 1e9, 1e12, 1e15 })
+  {
+    SCOPED_TRACE(distance);
+    Contours far({ starShaped(3, 4) }, { field },
+      { 0.2 * distance, 0.3 * distance, distance, 1.0 });
+    const SegmentChain found = chainOf(far.update());
+    ASSERT_EQ(found.Segments.size(), expected.Segments.size());
+    // Rays turn by the scene's size, some 10, over the distance, over a way of as much.
+    const double most =
+      tolerance::ContourSlant * (100.0 / distance + 10.0 * tolerance::SamePoint);
+    const ChainDifference difference = compareChains(expected, found, most);
+    EXPECT_TRUE(difference.none()) << difference.Message;
+  }
+}
+
+TEST(CastShadowContour, SameAtAnyScaleAndPlace)
+{
+  Random random(44);
+  const Mesh caster = starShaped(3, 6);
+  const Mesh field = terrain(random, 20, 9.0, -1.5, 0.4, false);
+  for (const LightPosition& light : { allLights[0], allLights[1], LightPosition{ 1, -1, 1.5, 1 } })
+  {
+    Contours usual({ caster }, { field }, light);
+    const SegmentChain expected = chainOf(usual.update());
+    ASSERT_GT(expected.Segments.size(), 60u);
+    struct Change
+    {
+      double Scale;
+      Vec3 Shift;
+      double Tolerance;
+    };
+    for (const Change& change : { Change{ 1e-9, { 0, 0, 0 }, tolerance::Moved },
+           Change{ 1e9, { 0, 0, 0 }, tolerance::Moved },
+           Change{ 1e-60, { 0, 0, 0 }, tolerance::Moved },
+           Change{ 1.0, { 1e7, -2e7, 3e7 }, tolerance::FarPlace } })
+    {
+      SCOPED_TRACE(change.Scale);
+      const LightPosition movedTo = movedLight(light.data(), change.Scale, change.Shift);
+      Contours changed({ moved(caster, change.Scale, change.Shift) },
+        { moved(field, change.Scale, change.Shift) }, movedTo);
+      SegmentChain found = chainOf(changed.update());
+      for (DirectedSegment& segment : found.Segments)
+      {
+        segment.From = 1.0 / change.Scale * (segment.From - change.Shift);
+        segment.To = 1.0 / change.Scale * (segment.To - change.Shift);
+      }
+      const ChainDifference difference =
+        compareChains(expected, found, 10.0 * tolerance::ContourSlant * change.Tolerance);
+      EXPECT_TRUE(difference.none()) << difference.Message;
+      EXPECT_EQ(fieldValue(changed.Filter->GetOutput(), "LooseEnds"), 0.0);
+    }
+  }
+}
+
 // Lines that were made by hand have the filter's own light.
 TEST(CastShadowContour, TakesAnyLines)
 {

@@ -78,6 +78,10 @@ constexpr double SphereContour = 1e-5;
 /// 1e-4.
 constexpr double CutContour = 1e-9;
 
+/// How much farther than a silhouette a contour moves, at most: a fine field's triangles meet rays, and
+/// their edges walls, at angles down to a tenth each.
+constexpr double ContourSlant = 100.0;
+
 /// How far beside a contour rays tell whether it is visible: a few times the slack with which the ray
 /// cast passes edges.
 constexpr double BesideContour = 1e-6;
