@@ -201,6 +201,33 @@ TEST(CastShadowContour, BoxOnPlane)
   }
 }
 
+// The same where all coordinates are rounded: what stands on the receiver to within that does not
+// cast a contour there.
+TEST(CastShadowContour, BoxOnRotatedPlane)
+{
+  int ends = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Vec3 shift{ 300.3, 700.7, 1100.1 };
+    const LightPosition light = movedLight(allLights[seed % 3].data(), 1.0, shift, seed);
+    const Mesh standingBox = moved(moved(box(), 0.05, { 0.0, 0.0, 0.05 }), 1.0, shift, seed);
+    const Mesh plane = moved(ground(0.0, 0.5, 25), 1.0, shift, seed);
+    Contours contours({ standingBox }, { plane }, light);
+    vtkPolyData* found = contours.update();
+    ASSERT_EQ(found->GetNumberOfLines(), 1);
+    EXPECT_EQ(found->GetCellData()->GetArray("Closed")->GetComponent(0, 0), 0.0);
+    for (vtkIdType i = 0; i < found->GetNumberOfPoints(); ++i)
+    {
+      const bool isEnd = i == 0 || i + 1 == found->GetNumberOfPoints();
+      const double away = lengthOf(pointOf(found, i) - vectorOf(found, "CasterPoints", i));
+      EXPECT_EQ(away < 16.0 * tolerance::SamePoint, isEnd) << i;
+      ends += isEnd;
+    }
+  }
+  EXPECT_EQ(ends, 400);
+}
+
 TEST(CastShadowContour, NothingBetweenCasterAndLight)
 {
   for (const LightPosition& light : allLights)
