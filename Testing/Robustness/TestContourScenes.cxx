@@ -2,7 +2,6 @@
 
 #include "ChainChecks.h"
 #include "ContourScenes.h"
-#include "OutputComparison.h"
 #include "ShadowPipeline.h"
 #include "Tolerances.h"
 
