@@ -36,12 +36,13 @@ sanitized()
     -R "^($programs)\\." -E "$except"
 }
 
-filters=(TestSmoothLightSilhouette TestShadowVolumeExtruder TestFiniteVolumes TestSilhouetteSearch)
-slow='OnRealMeshes|OnRandomMeshes|WholeComponentsOnAnyMesh'
+filters=(TestSmoothLightSilhouette TestShadowVolumeExtruder TestFiniteVolumes TestSilhouetteSearch
+  TestCastShadowContour)
+slow='OnRealMeshes|OnRandomMeshes|WholeComponentsOnAnyMesh|RealMeshesOverReceivers|ThreeCasters'
 export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
 export SMOOTHSHADOW_TEST_SCENES=100
 sanitized AddressSanitizer "$slow" TestCore "${filters[@]}" TestRandomMeshes \
-  ReplayFuzzMeshBridge ReplayFuzzVolume TestShadowPassLights TestShadowPassMasks
+  TestContourScenes   ReplayFuzzMeshBridge ReplayFuzzVolume TestShadowPassLights TestShadowPassMasks
 # What runs on one thread has no races: of the core the caster alone is used by several.
 export VTK_SMP_BACKEND_IN_USE=STDThread
 sanitized ThreadSanitizer "$slow|TestCore\\.[^C]|TestCore\\.C[^a]|IncompleteMethods" TestCore \
