@@ -37,14 +37,15 @@ sanitized()
 }
 
 filters=(TestSmoothLightSilhouette TestShadowVolumeExtruder TestFiniteVolumes TestSilhouetteSearch
-  TestMeshDeviation TestVolumeNearEnd)
-slow='OnRealMeshes|OnRandomMeshes|WholeComponentsOnAnyMesh'
+  TestMeshDeviation TestVolumeNearEnd TestCastShadowContour)
+slow='OnRealMeshes|OnRandomMeshes|WholeComponentsOnAnyMesh|RealMeshesOverReceivers|ThreeCasters'
 export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
 export SMOOTHSHADOW_TEST_SCENES=100
 sanitized AddressSanitizer "$slow" TestCore "${filters[@]}" TestRandomMeshes \
-  ReplayFuzzMeshBridge ReplayFuzzVolume TestShadowPassLights TestShadowPassMasks TestShadowPassReuse \
-  TestShadowPlan TestVolumeUploads
-# What runs on one thread has no races: of the core the caster alone is used by several.
+  TestContourScenes ReplayFuzzMeshBridge ReplayFuzzVolume TestShadowPassLights \
+  TestShadowPassMasks TestShadowPassReuse TestShadowPlan TestVolumeUploads
+# What runs on one thread has no races: of the core the caster alone is used by several. The ray
+# cast's threads are the distribution's.
 export VTK_SMP_BACKEND_IN_USE=STDThread
-sanitized ThreadSanitizer "$slow|TestCore\\.[^C]|TestCore\\.C[^a]|IncompleteMethods" TestCore \
-  "${filters[@]}"
+sanitized ThreadSanitizer \
+  "$slow|HiddenContours|TestCore\\.[^C]|TestCore\\.C[^a]|IncompleteMethods" TestCore "${filters[@]}"

@@ -3,10 +3,10 @@ import math
 import unittest
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 
-from smoothshadow.vtkFiltersShadow import (vtkShadowMeshCheck, vtkShadowVolumeExtruder,
-                                           vtkSmoothLightSilhouette)
+from smoothshadow.vtkFiltersShadow import (vtkCastShadowContour, vtkShadowMeshCheck,
+                                           vtkShadowVolumeExtruder, vtkSmoothLightSilhouette)
 from smoothshadow.vtkRenderingOffscreen import vtkOffscreenWindows
 from smoothshadow.vtkRenderingShadow import vtkStencilShadowPass
 
@@ -32,7 +32,8 @@ class Modules(unittest.TestCase):
         self.assertEqual(silhouette.GetKind(), vtkSmoothLightSilhouette.DISCRETE)
         shadows = vtkStencilShadowPass()
         self.assertEqual(shadows.GetKind(), vtkStencilShadowPass.AUTOMATIC)
-        for thing in (silhouette, shadows, vtkShadowVolumeExtruder(), vtkShadowMeshCheck()):
+        for thing in (silhouette, shadows, vtkShadowVolumeExtruder(), vtkShadowMeshCheck(),
+                      vtkCastShadowContour()):
             self.assertIn(thing.GetClassName(), str(thing))
 
     def test_silhouette_of_a_sphere(self):
@@ -57,6 +58,29 @@ class Modules(unittest.TestCase):
         volume.Update()
         self.assertGreater(volume.GetOutput().GetNumberOfPolys(), 100)
         self.assertEqual(volume.GetOutput().GetFieldData().GetArray("Closed").GetValue(0), 1)
+
+    def test_contour_of_a_sphere_on_a_plane(self):
+        # Its touching cone from (0, 0, 2) meets z = -1 in a circle of radius 3 / sqrt(15).
+        sphere = self.sphere()
+        silhouette = self.silhouette(sphere)
+        silhouette.SetLightPosition(0, 0, 2, 1)
+        plane = vtkPlaneSource()
+        plane.SetOrigin(-4, -4, -1)
+        plane.SetPoint1(4, -4, -1)
+        plane.SetPoint2(-4, 4, -1)
+        contour = vtkCastShadowContour()
+        self.assertEqual(contour.GetBuilder(), vtkCastShadowContour.MORTON)
+        contour.SetSilhouetteConnection(silhouette.GetOutputPort())
+        contour.SetReceiverConnection(plane.GetOutputPort())
+        contour.SetCasterConnection(sphere.GetOutputPort())
+        contour.Update()
+        curves = contour.GetOutput()
+        self.assertEqual(curves.GetNumberOfLines(), 1)
+        self.assertGreater(curves.GetNumberOfPoints(), 20)
+        for i in range(curves.GetNumberOfPoints()):
+            x, y, z = curves.GetPoint(i)
+            self.assertAlmostEqual(math.hypot(x, y), 3 / math.sqrt(15), delta=1e-2)
+            self.assertAlmostEqual(z, -1)
 
     def test_check_of_an_open_sphere(self):
         sphere = self.sphere()

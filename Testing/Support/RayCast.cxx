@@ -339,6 +339,11 @@ int RayScene::objectCount() const
   return static_cast<int>(this->Internal->Objects.size());
 }
 
+bool RayScene::isBlocked(const Vec3& point, const RayLight& light) const
+{
+  return this->Internal->blocked(this->Internal->toLocal(point), -1, 0, light);
+}
+
 RaySample RayScene::look(const RayView& view, double x, double y, const RayLight& light) const
 {
   const double clipX = 2.0 * x / view.Width - 1.0;

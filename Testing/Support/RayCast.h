@@ -97,6 +97,9 @@ public:
 
   RayPicture render(const RayView& view, const RayLight& light) const;
 
+  /// Whether something that casts is between a point anywhere and the light.
+  bool isBlocked(const Vec3& point, const RayLight& light) const;
+
   int objectCount() const;
 
 private:

@@ -1,0 +1,243 @@
+#include "HiddenContours.h"
+
+namespace shadow
+{
+namespace
+{
+/// How far pieces are moved to the lit side, as a share of the scene, or of the distance to a light
+/// among it: far more than roundings, far less than what is seen.
+constexpr double movedShare = 1e-9;
+/// Parts of contours that are shorter are taken for what is on both sides of them: where silhouettes
+/// meet at an angle the lit side of one may be in the shadow of the other for some such moves.
+constexpr double leastMoves = 20.0;
+/// Between the spans of two triangles that share an edge: roundings.
+constexpr double leastGap = 1e-9;
+
+/// The part of [from, to] in which a function is positive that is linear from one value to another.
+void keepPositive(double atStart, double atEnd, double& from, double& to)
+{
+  if (atStart > 0.0 && atEnd > 0.0)
+  {
+    return;
+  }
+  if (!(atStart > 0.0) && !(atEnd > 0.0))
+  {
+    to = from;
+    return;
+  }
+  const double at = atStart / (atStart - atEnd);
+  (atStart > 0.0 ? to : from) = atStart > 0.0 ? std::min(to, at) : std::max(from, at);
+}
+
+double distanceToSegment(const Vec3& point, const Vec3& a, const Vec3& b)
+{
+  const Vec3 along = b - a;
+  const double squared = glm::dot(along, along);
+  const double share =
+    squared > 0.0 ? std::clamp(glm::dot(point - a, along) / squared, 0.0, 1.0) : 0.0;
+  return glm::length(point - a - share * along);
+}
+
+/// Ascending and apart.
+void unite(std::vector<std::array<double, 2>>& spans)
+{
+  std::sort(spans.begin(), spans.end());
+  std::size_t kept = 0;
+  for (const auto& span : spans)
+  {
+    if (kept > 0 && span[0] <= spans[kept - 1][1] + leastGap)
+    {
+      spans[kept - 1][1] = std::max(spans[kept - 1][1], span[1]);
+    }
+    else
+    {
+      spans[kept++] = span;
+    }
+  }
+  spans.resize(kept);
+}
+}
+
+/// A piece where it is looked at.
+struct ContourBlockers::MovedPiece
+{
+  std::array<Vec3, 2> views;
+  std::array<Vec3, 2> places;
+  bool ofEdges;
+  std::array<Vec3, 2> casters;
+};
+
+ContourBlockers::ContourBlockers(
+  const std::vector<ContourReceiver>& casters, const LightFrame& frame, const RangeLoop& loop)
+  : Frame(frame)
+  , Charts(frame.hasOneChart())
+  , Boxes(this->Charts.count())
+  , Items(this->Charts.count())
+{
+  for (const ContourReceiver& caster : casters)
+  {
+    this->addCaster(caster, loop);
+  }
+  for (std::size_t chart = 0; chart < this->Charts.count(); ++chart)
+  {
+    this->Trees.emplace_back(this->Boxes[chart], TreeBuilder::Morton);
+  }
+}
+
+void ContourBlockers::addCaster(const ContourReceiver& caster, const RangeLoop& loop)
+{
+  const ReceiverView view(caster, this->Frame, loop);
+  const TriangleMesh& mesh = *caster.mesh;
+  const bool isClosed = caster.edges->regular == caster.edges->edges.size();
+  const std::size_t count = isClosed ? view.lit().size() : mesh.triangles.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Index triangle = isClosed ? view.lit()[i] : static_cast<Index>(i);
+    Triangle t = mesh.triangles[triangle];
+    if (!view.isLit(triangle))
+    {
+      std::swap(t[1], t[2]);
+    }
+    const std::array<Vec3, 3> views{ view.view(t[0]), view.view(t[1]), view.view(t[2]) };
+    const Vec3 place = view.place(t[0]);
+    Blocker blocker;
+    for (unsigned k = 0; k < 3; ++k)
+    {
+      blocker.edges[k] = glm::cross(views[k], views[next(k)]);
+    }
+    // Places are counted from the light away, so this is turned to what is behind.
+    blocker.normal = unitOrZero(glm::cross(view.place(t[1]) - place, view.place(t[2]) - place));
+    blocker.offset = glm::dot(blocker.normal, place);
+    const std::array<Vec3, 3> points{ mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]] };
+    blocker.middle = (points[0] + points[1] + points[2]) / 3.0;
+    blocker.size = std::max({ glm::distance(points[0], points[1]),
+      glm::distance(points[1], points[2]), glm::distance(points[2], points[0]) });
+    const Index number = static_cast<Index>(this->Blockers.size());
+    this->Blockers.push_back(blocker);
+    for (std::size_t chart = 0; chart < this->Charts.count(); ++chart)
+    {
+      const Box2 box = view.box(chart, triangle);
+      if (!isEmpty(box))
+      {
+        this->Boxes[chart].push_back(box);
+        this->Items[chart].push_back(number);
+      }
+    }
+  }
+}
+
+ContourBlockers::MovedPiece ContourBlockers::moved(
+  const PieceLine& line, const WallPlane& wall, bool ofEdges) const
+{
+  MovedPiece piece;
+  piece.ofEdges = ofEdges;
+  piece.casters = { line.from.caster, line.to.caster };
+  piece.places = { this->Frame.place(line.from.point), this->Frame.place(line.to.point) };
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    piece.views[k] = this->Frame.view(piece.places[k]);
+  }
+  Vec3 aside = wall.normal;
+  double size = this->Frame.size();
+  if (this->Frame.hasOneChart())
+  {
+    aside.z = 0.0;
+  }
+  else
+  {
+    size = std::max(glm::length(piece.views[0]), glm::length(piece.views[1]));
+  }
+  const Vec3 move = movedShare * size * unitOrZero(aside);
+  piece.views[0] -= move;
+  piece.views[1] -= move;
+  return piece;
+}
+
+void ContourBlockers::addSpan(const MovedPiece& piece, const Blocker& blocker,
+  std::vector<std::array<double, 2>>& spans) const
+{
+  double from = 0.0;
+  double to = 1.0;
+  for (unsigned k = 0; k < 3 && from < to; ++k)
+  {
+    keepPositive(glm::dot(blocker.edges[k], piece.views[0]),
+      glm::dot(blocker.edges[k], piece.views[1]), from, to);
+  }
+  if (!(from < to))
+  {
+    return;
+  }
+  const double error = movedShare * this->Frame.size();
+  keepPositive(glm::dot(blocker.normal, piece.places[0]) - blocker.offset - error,
+    glm::dot(blocker.normal, piece.places[1]) - blocker.offset - error, from, to);
+  if (from < to &&
+    (piece.ofEdges ||
+      distanceToSegment(blocker.middle, piece.casters[0], piece.casters[1]) > blocker.size))
+  {
+    spans.push_back({ from, to });
+  }
+}
+
+void ContourBlockers::findSpans(
+  const MovedPiece& piece, std::vector<std::array<double, 2>>& spans) const
+{
+  TreeVisits visits;
+  for (std::size_t chart = 0; chart < this->Charts.count(); ++chart)
+  {
+    Box2 box;
+    if (this->Frame.hasOneChart())
+    {
+      box = LightCharts::boxOf(piece.views[0]);
+      box.add(LightCharts::boxOf(piece.views[1]));
+    }
+    else
+    {
+      box = LightCharts::boxIn(chart, piece.views.data(), 2);
+    }
+    if (isEmpty(box))
+    {
+      continue;
+    }
+    bool isAllHidden = false;
+    this->Trees[chart].search(box, visits,
+      [&](Index item)
+      {
+        this->addSpan(piece, this->Blockers[this->Items[chart][item]], spans);
+        isAllHidden = !spans.empty() && spans.back()[0] == 0.0 && spans.back()[1] == 1.0;
+        return !isAllHidden;
+      });
+    if (isAllHidden)
+    {
+      break;
+    }
+  }
+  unite(spans);
+}
+
+HiddenSpans ContourBlockers::hiddenSpans(const std::vector<ContourPiece>& pieces,
+  const std::vector<PieceLine>& straight, const ContourWalls& walls, const ContourLoops& loops,
+  const RangeLoop& loop) const
+{
+  std::vector<std::vector<std::array<double, 2>>> found(pieces.size());
+  loop(pieces.size(), heavyGrain,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Index segment = pieces[i].segment;
+        this->findSpans(this->moved(straight[i], walls.wall(segment),
+                          loops.ofEdges[walls.loopOf(segment)]),
+          found[i]);
+      }
+    });
+  HiddenSpans hidden;
+  hidden.least = leastMoves * movedShare * this->Frame.size();
+  hidden.first.push_back(0);
+  for (const auto& spans : found)
+  {
+    hidden.spans.insert(hidden.spans.end(), spans.begin(), spans.end());
+    hidden.first.push_back(hidden.spans.size());
+  }
+  return hidden;
+}
+}

@@ -1,0 +1,52 @@
+/// Which parts of cast contours are in the shadow of something else.
+#pragma once
+
+#include "ContourLines.h"
+
+namespace shadow
+{
+/// Triangles that cast, to be searched for in the light's charts. Of a mesh whose edges all have two
+/// sides that run against each other those that face the light do; of any other mesh all do.
+class ContourBlockers
+{
+public:
+  ContourBlockers(
+    const std::vector<ContourReceiver>& casters, const LightFrame& frame, const RangeLoop& loop);
+
+  /// Where triangles are between the light and pieces, which are straight lines on a receiver. A
+  /// piece lies where the shadow of its own segment ends; so it is looked at as if it were moved by
+  /// a share of 1e-9 of the scene to the side that is lit, and there every triangle hides what is
+  /// behind it: the hidden parts are the union of what triangles cut from the line, whatever
+  /// touches or pierces whatever.
+  ///
+  /// Silhouettes that are not made of edges of the casters have triangles on either side: those
+  /// that are as near to the segment as they are long do not hide its contour.
+  HiddenSpans hiddenSpans(const std::vector<ContourPiece>& pieces,
+    const std::vector<PieceLine>& straight, const ContourWalls& walls, const ContourLoops& loops,
+    const RangeLoop& loop) const;
+
+private:
+  struct Blocker
+  {
+    std::array<Vec3, 3> edges; ///< cross products of its views: a view within it is positive to all
+    Vec3 normal;               ///< away from the light, of places
+    double offset;             ///< of the plane
+    Vec3 middle;               ///< of the ball around it, in the world, and its size
+    double size;
+  };
+  struct MovedPiece;
+
+  void addCaster(const ContourReceiver& caster, const RangeLoop& loop);
+  MovedPiece moved(const PieceLine& line, const WallPlane& wall, bool ofEdges) const;
+  void addSpan(const MovedPiece& piece, const Blocker& blocker,
+    std::vector<std::array<double, 2>>& spans) const;
+  void findSpans(const MovedPiece& piece, std::vector<std::array<double, 2>>& spans) const;
+
+  const LightFrame& Frame;
+  LightCharts Charts;
+  std::vector<Blocker> Blockers;
+  std::vector<std::vector<Box2>> Boxes; ///< by chart, of the tree's items
+  std::vector<std::vector<Index>> Items;
+  std::vector<BoundingTree2> Trees;
+};
+}
