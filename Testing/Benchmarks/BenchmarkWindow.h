@@ -1,15 +1,22 @@
-// The window that frames are drawn in.
+// The window that frames are drawn in, its pictures, and what it was that drew them.
 #ifndef BenchmarkWindow_h
 #define BenchmarkWindow_h
 
 #include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
 #include <vtkOffscreenWindows.h>
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <vtkVersion.h>
+#include <vtkWindowToImageFilter.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
+#include <string>
 
 namespace benchmarks
 {
@@ -28,6 +35,38 @@ inline vtkSmartPointer<vtkRenderWindow> openWindow(int size, vtkRenderer* render
   window->SetSize(size, size);
   window->AddRenderer(renderer);
   return window;
+}
+
+/// A frame, until the graphics card is done with it.
+inline void drawFrame(vtkRenderWindow* window)
+{
+  window->Render();
+  static_cast<vtkOpenGLRenderWindow*>(window)->WaitForCompletion();
+}
+
+/// What the window shows, without rendering again.
+inline vtkSmartPointer<vtkImageData> grab(vtkRenderWindow* window)
+{
+  vtkNew<vtkWindowToImageFilter> capture;
+  capture->SetInput(window);
+  capture->ReadFrontBufferOff();
+  capture->ShouldRerenderOff();
+  capture->Update();
+  return capture->GetOutput();
+}
+
+/// VTK, OpenGL's renderer and the machine's load; of a window that has drawn.
+inline std::string conditions(vtkRenderWindow* window)
+{
+  const std::string capabilities = window->ReportCapabilities();
+  const std::size_t begin = capabilities.find("OpenGL renderer string:");
+  const std::string renderer = begin == std::string::npos
+    ? "OpenGL renderer not known"
+    : capabilities.substr(begin, capabilities.find('\n', begin) - begin);
+  std::string load = "unknown";
+  std::ifstream file("/proc/loadavg");
+  std::getline(file, load);
+  return std::string("VTK ") + vtkVersion::GetVTKVersion() + ", " + renderer + ", load " + load;
 }
 
 /// Looks at a mesh of size 2 on the ground, obliquely from above.
