@@ -216,6 +216,7 @@ void resetAll(std::vector<Rival>& rivals)
 
 void printFrames(std::vector<Rival>& rivals, const RayScene& rays, int rounds)
 {
+  const bool onProcessor = benchmarks::drawsOnProcessor(rivals.front().Picture->Window);
   std::vector<benchmarks::Turns> turns;
   for (const Mode mode : { LIGHT_MOVES, AT_REST, CAMERA_MOVES })
   {
@@ -234,8 +235,8 @@ void printFrames(std::vector<Rival>& rivals, const RayScene& rays, int rounds)
     std::printf("%-22s", rivals[rival].Name.c_str());
     for (const benchmarks::Turns& mode : turns)
     {
-      std::printf(" %9.1f %5.2f %5.2f", mode.median(rival), mode.ratio(rival, NoShadows),
-        mode.ratio(rival, ShadowMap));
+      std::printf(" %9.1f %5.2f %5.2f", mode.median(rival), mode.ratio(rival, NoShadows, onProcessor),
+        mode.ratio(rival, ShadowMap, onProcessor));
     }
     if (rival != NoShadows)
     {
@@ -308,7 +309,7 @@ void printPackets(
               "%.1f ms a picture, %.2f of no shadows;\nrays from the eye %.1f, to the light %.1f; "
               "hierarchy built in %.0f; %ld pixels are not as by the ray cast in double\n",
     RTC_VERSION_STRING, packets.isNative() ? "native" : "emulated", turns.median(1),
-    turns.ratio(1, 0), benchmarks::medianOf(primary), benchmarks::medianOf(shadow),
+    turns.ratio(1, 0, benchmarks::drawsOnProcessor(plain.Window)), benchmarks::medianOf(primary), benchmarks::medianOf(shadow),
     packets.getBuildTime(), differingPixels(mask, rays, view, plain.Light));
 }
 

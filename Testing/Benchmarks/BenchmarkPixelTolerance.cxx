@@ -23,6 +23,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -164,7 +165,8 @@ std::vector<Row> measureShape(const Shape& shape, const NamedLight& light)
     const benchmarks::PlannedSilhouette planned(
       passes[i], scenes[i]->Renderer, ToleranceScene::Size, shape.Surface, light.Place);
     Row row{ shape.Name, light.Name, rivals[i].Kind, rivals[i].Tolerance, planned.Tolerance > 0.0,
-      planned.Points, steps[i][benchmarks::VOLUMES], frames.median(i), frames.ratio(i, discrete),
+      planned.Points, steps[i][benchmarks::VOLUMES], frames.median(i), 
+      frames.ratio(i, discrete, benchmarks::drawsOnProcessor(scenes.front()->Window)),
       {} };
     if (shape.TrueShadow)
     {
@@ -212,15 +214,23 @@ bool writeTable(const std::string& name, const std::vector<Row>& rows)
 
 /// A value of rows over the tolerance, of each shape and kind under the first light.
 vtkSmartPointer<vtkChartXY> chartOf(const std::vector<Row>& rows, const char* title,
-  const char* axis, const std::function<double(const Row&)>& value, bool withAllowed)
+  const char* axis, const std::array<double, 2>& range,
+  const std::function<double(const Row&)>& value, bool withAllowed)
 {
   auto chart = vtkSmartPointer<vtkChartXY>::New();
   chart->SetTitle(title);
   chart->GetTitleProperties()->SetFontSize(20);
   benchmarks::styleAxis(chart->GetAxis(vtkAxis::BOTTOM), "PixelTolerance");
   benchmarks::styleAxis(chart->GetAxis(vtkAxis::LEFT), axis);
-  chart->GetAxis(vtkAxis::BOTTOM)->LogScaleOn();
-  chart->GetAxis(vtkAxis::LEFT)->LogScaleOn();
+  // Ranges are fixed: plots are not drawn anew when an axis finds that it can be logarithmic.
+  const std::pair<int, std::array<double, 2>> axes[] = { { vtkAxis::BOTTOM, { 0.2, 5.0 } },
+    { vtkAxis::LEFT, range } };
+  for (const auto& [place, ends] : axes)
+  {
+    chart->GetAxis(place)->LogScaleOn();
+    chart->GetAxis(place)->SetBehavior(vtkAxis::FIXED);
+    chart->GetAxis(place)->SetRange(ends[0], ends[1]);
+  }
   const auto add = [&](const std::string& name, const std::function<bool(const Row&)>& isIn,
                      const std::function<double(const Row&)>& height, std::size_t colour, bool dashed)
   {
@@ -277,7 +287,7 @@ vtkSmartPointer<vtkChartXY> chartOf(const std::vector<Row>& rows, const char* ti
   }
   chart->SetShowLegend(true);
   chart->GetLegend()->SetLabelSize(14);
-  chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
+  chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::LEFT);
   chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
   return chart;
 }
@@ -315,8 +325,9 @@ int main(int argc, char* argv[])
   }
   const std::vector<vtkSmartPointer<vtkChartXY>> charts = {
     chartOf(rows, "Largest distance of the shadow's edge from the true one", "pixels",
+      { 0.3, 10.0 },
       [](const Row& row) { return row.Error.Largest; }, true),
-    chartOf(rows, "Points of the silhouette", "points",
+    chartOf(rows, "Points of the silhouette", "points", { 50.0, 100000.0 },
       [](const Row& row) { return static_cast<double>(row.Points); }, false)
   };
   return writeTable(folder + "pixel-tolerance.csv", rows) &&

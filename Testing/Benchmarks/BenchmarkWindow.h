@@ -55,18 +55,35 @@ inline vtkSmartPointer<vtkImageData> grab(vtkRenderWindow* window)
   return capture->GetOutput();
 }
 
-/// VTK, OpenGL's renderer and the machine's load; of a window that has drawn.
-inline std::string conditions(vtkRenderWindow* window)
+/// OpenGL's renderer, of a window that has drawn.
+inline std::string rendererOf(vtkRenderWindow* window)
 {
   const std::string capabilities = window->ReportCapabilities();
-  const std::size_t begin = capabilities.find("OpenGL renderer string:");
-  const std::string renderer = begin == std::string::npos
-    ? "OpenGL renderer not known"
-    : capabilities.substr(begin, capabilities.find('\n', begin) - begin);
+  const std::string label = "OpenGL renderer string:";
+  const std::size_t begin = capabilities.find(label);
+  return begin == std::string::npos
+    ? "not known"
+    : capabilities.substr(
+        begin + label.size(), capabilities.find('\n', begin) - begin - label.size());
+}
+
+/// Whether frames are drawn by the processor, so that its time tells what they cost.
+inline bool drawsOnProcessor(vtkRenderWindow* window)
+{
+  const std::string renderer = rendererOf(window);
+  return renderer.find("llvmpipe") != std::string::npos ||
+    renderer.find("softpipe") != std::string::npos;
+}
+
+/// VTK, OpenGL's renderer, the machine's load, and what ratios are of.
+inline std::string conditions(vtkRenderWindow* window)
+{
   std::string load = "unknown";
   std::ifstream file("/proc/loadavg");
   std::getline(file, load);
-  return std::string("VTK ") + vtkVersion::GetVTKVersion() + ", " + renderer + ", load " + load;
+  return std::string("VTK ") + vtkVersion::GetVTKVersion() + "; OpenGL renderer" +
+    rendererOf(window) + "; load " + load + "; ratios are of " +
+    (drawsOnProcessor(window) ? "processor time, of all threads" : "time");
 }
 
 /// Looks at a mesh of size 2 on the ground, obliquely from above.

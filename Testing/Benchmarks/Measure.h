@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <ctime>
 #include <vector>
 
 namespace benchmarks
@@ -37,16 +38,19 @@ inline double medianOf(std::vector<double> values)
 struct Turns
 {
   std::vector<std::vector<double>> Times;
+  /// What all threads took. Other load of the machine hardly changes it.
+  std::vector<std::vector<double>> ProcessorTimes;
 
   double median(std::size_t rival) const { return medianOf(this->Times[rival]); }
 
-  /// The median of the ratios of each round, which the machine's other load changes less.
-  double ratio(std::size_t rival, std::size_t other) const
+  /// The medians of the ratios of each round.
+  double ratio(std::size_t rival, std::size_t other, bool ofProcessorTimes) const
   {
+    const auto& times = ofProcessorTimes ? this->ProcessorTimes : this->Times;
     std::vector<double> ratios;
-    for (std::size_t round = 0; round < this->Times[rival].size(); ++round)
+    for (std::size_t round = 0; round < times[rival].size(); ++round)
     {
-      ratios.push_back(this->Times[rival][round] / this->Times[other][round]);
+      ratios.push_back(times[rival][round] / times[other][round]);
     }
     return medianOf(ratios);
   }
@@ -56,15 +60,21 @@ struct Turns
 template <class Body>
 Turns measureInTurns(std::size_t rivals, const Body& body, int rounds = 15)
 {
-  Turns turns{ std::vector<std::vector<double>>(rivals) };
+  Turns turns;
+  turns.Times.resize(rivals);
+  turns.ProcessorTimes.resize(rivals);
   for (int round = 0; round <= rounds; ++round)
   {
     for (std::size_t rival = 0; rival < rivals; ++rival)
     {
+      const std::clock_t start = std::clock();
       const double time = timeOf([&] { body(rival, round); });
+      const std::clock_t end = std::clock();
       if (round > 0)
       {
         turns.Times[rival].push_back(time);
+        turns.ProcessorTimes[rival].push_back(
+          1e3 * static_cast<double>(end - start) / CLOCKS_PER_SEC);
       }
     }
   }
