@@ -1,6 +1,6 @@
-// Frame times at 768 x 768 without shadows, with vtkShadowMapPass and with vtkStencilShadowPass, the
-// light moving, nothing moving and the camera moving; the pixels of either's shadows that differ from
-// a ray cast; the stencil pass's time by step; and for scale one thread of Embree.
+// Frame times at 768 x 768 without shadows, with vtkShadowMapPass and with vtkStencilShadowPass,
+// the light moving, nothing moving and the camera moving; the pixels of either's shadows that
+// differ from a ray cast; the stencil pass's time by step; and for scale one thread of Embree.
 //
 // BenchmarkFrames [n ...]: the bunny subdivided n times after Loop, each time into four; 0 and 2
 // without arguments.
@@ -42,7 +42,8 @@ namespace
 using namespace shadowtest;
 
 constexpr int Size = 768;
-constexpr int Places = 7; ///< that the light or the camera moves through, so each frame has a new one
+/// That the light or the camera moves through, so that each frame has a new one.
+constexpr int Places = 7;
 
 enum Mode
 {
@@ -164,8 +165,8 @@ void printWrong(Scene& scene, const RayScene& rays)
 }
 
 /// Pixels whose light by packets is not that of the ray cast in double.
-long differingPixels(
-  const std::vector<unsigned char>& mask, const RayScene& rays, const RayView& view, vtkLight* light)
+long differingPixels(const std::vector<unsigned char>& mask, const RayScene& rays,
+  const RayView& view, vtkLight* light)
 {
   const RayPicture exact = rays.render(view, rayLight(light));
   long differing = 0;
@@ -221,7 +222,8 @@ void printFrames(std::vector<Rival>& rivals, const RayScene& rays, int rounds)
   for (const Mode mode : { LIGHT_MOVES, AT_REST, CAMERA_MOVES })
   {
     resetAll(rivals);
-    turns.push_back(benchmarks::measureInTurns(rivals.size(),
+    turns.push_back(benchmarks::measureInTurns(
+      rivals.size(),
       [&](std::size_t rival, int round) { rivals[rival].Picture->draw(mode, round); }, rounds));
   }
   std::printf("%-22s", "");
@@ -235,8 +237,8 @@ void printFrames(std::vector<Rival>& rivals, const RayScene& rays, int rounds)
     std::printf("%-22s", rivals[rival].Name.c_str());
     for (const benchmarks::Turns& mode : turns)
     {
-      std::printf(" %9.1f %5.2f %5.2f", mode.median(rival), mode.ratio(rival, NoShadows, onProcessor),
-        mode.ratio(rival, ShadowMap, onProcessor));
+      std::printf(" %9.1f %5.2f %5.2f", mode.median(rival),
+        mode.ratio(rival, NoShadows, onProcessor), mode.ratio(rival, ShadowMap, onProcessor));
     }
     if (rival != NoShadows)
     {
@@ -292,9 +294,9 @@ void printPackets(
   std::vector<unsigned char> mask;
   std::vector<double> primary;
   std::vector<double> shadow;
-  const benchmarks::Turns turns = benchmarks::measureInTurns(2,
-    [&](std::size_t rival, int round)
-    {
+  const benchmarks::Turns turns = benchmarks::measureInTurns(
+    2,
+    [&](std::size_t rival, int round) {
       if (rival == 0)
       {
         plain.draw(LIGHT_MOVES, round);
@@ -309,8 +311,9 @@ void printPackets(
               "%.1f ms a picture, %.2f of no shadows;\nrays from the eye %.1f, to the light %.1f; "
               "hierarchy built in %.0f; %ld pixels are not as by the ray cast in double\n",
     RTC_VERSION_STRING, packets.isNative() ? "native" : "emulated", turns.median(1),
-    turns.ratio(1, 0, benchmarks::drawsOnProcessor(plain.Window)), benchmarks::medianOf(primary), benchmarks::medianOf(shadow),
-    packets.getBuildTime(), differingPixels(mask, rays, view, plain.Light));
+    turns.ratio(1, 0, benchmarks::drawsOnProcessor(plain.Window)), benchmarks::medianOf(primary),
+    benchmarks::medianOf(shadow), packets.getBuildTime(),
+    differingPixels(mask, rays, view, plain.Light));
 }
 
 void report(int subdivisions)
@@ -324,10 +327,11 @@ void report(int subdivisions)
   std::vector<Rival> rivals = makeRivals(objects);
   Scene& plain = *rivals[NoShadows].Picture;
   benchmarks::drawFrame(plain.Window);
-  std::printf("bunny, %lld triangles, over a plane; %d x %d; milliseconds, medians of %d frames in "
-              "turns, and medians of the ratios to no\nshadows and to the shadow map; wrong pixels "
-              "against a ray cast of the triangles, in all and beyond one pixel of an\nedge; no colour "
-              "of the caster's lit side is told from shadow below 1/255\n%s\n",
+  std::printf(
+    "bunny, %lld triangles, over a plane; %d x %d; milliseconds, medians of %d frames in "
+    "turns, and medians of the ratios to no\nshadows and to the shadow map; wrong pixels "
+    "against a ray cast of the triangles, in all and beyond one pixel of an\nedge; no colour "
+    "of the caster's lit side is told from shadow below 1/255\n%s\n",
     static_cast<long long>(mesh->GetNumberOfCells()), Size, Size, rounds,
     benchmarks::conditions(plain.Window).c_str());
   printFrames(rivals, rays, rounds);

@@ -1,5 +1,5 @@
-// What the pass's tolerance in pixels costs, and what the shadow is off by: coarse smooth shapes over
-// the ground, against the boundary of the true shape's shadow.
+// What the pass's tolerance in pixels costs, and what the shadow is off by: coarse smooth shapes
+// over the ground, against the boundary of the true shape's shadow.
 //
 // BenchmarkPixelTolerance [folder]: writes pixel-tolerance.csv and pixel-tolerance.png into it.
 
@@ -17,7 +17,9 @@
 #include <vtkPlot.h>
 #include <vtkTable.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <functional>
@@ -43,8 +45,7 @@ struct NamedLight
 constexpr NamedLight Lights[] = { { "direction", { 1.0, 0.5, 4.0, 0.0 } },
   { "lamp", { 0.5, 0.4, 6.0, 1.0 } } };
 
-using ShadowMaker =
-  std::function<std::unique_ptr<AnalyticShadow>(const LightPoint&, const Plane&)>;
+using ShadowMaker = std::function<std::unique_ptr<AnalyticShadow>(const LightPoint&, const Plane&)>;
 
 struct Shape
 {
@@ -55,10 +56,10 @@ struct Shape
 
 std::vector<Shape> makeShapes()
 {
-  const ShadowMaker ring = [](const LightPoint& light, const Plane& receiver)
-  { return torusShadow(TorusRadius, TorusTube, light, receiver); };
-  const ShadowMaker ball = [](const LightPoint& light, const Plane& receiver)
-  {
+  const ShadowMaker ring = [](const LightPoint& light, const Plane& receiver) {
+    return torusShadow(TorusRadius, TorusTube, light, receiver);
+  };
+  const ShadowMaker ball = [](const LightPoint& light, const Plane& receiver) {
     const double axes[3] = { 1.0, 1.0, 1.0 };
     return ellipsoidShadow(axes, light, receiver);
   };
@@ -100,8 +101,8 @@ struct TrueBoundary
     {
       const Vec3 shadow = shadowOn(receiver, scene.Place, point);
       this->Places.push_back(scene.toPixel(shadow));
-      const Vec3 towards =
-        normalized(Vec3{ scene.Place[0], scene.Place[1], scene.Place[2] } - scene.Place[3] * shadow);
+      const Vec3 towards = normalized(
+        Vec3{ scene.Place[0], scene.Place[1], scene.Place[2] } - scene.Place[3] * shadow);
       this->Slant = std::max(this->Slant, 1.0 / towards[2]);
     }
   }
@@ -143,8 +144,7 @@ std::vector<Row> measureShape(const Shape& shape, const NamedLight& light)
     passes.back()->SetKind(rival.Value);
     passes.back()->SetPixelTolerance(rival.Tolerance);
   }
-  const auto draw = [&](std::size_t i, int round)
-  {
+  const auto draw = [&](std::size_t i, int round) {
     constexpr int places = 7;
     scenes[i]->placeLight(round % places);
     benchmarks::drawFrame(scenes[i]->Window);
@@ -154,9 +154,10 @@ std::vector<Row> measureShape(const Shape& shape, const NamedLight& light)
 
   const TrueBoundary boundary(shape, *scenes.front());
   const RayScene rays({ { scenes.front()->Ground }, { shape.Surface } });
-  const RayPicture seen = rays.render(RayView::fromCamera(scenes.front()->Renderer->GetActiveCamera(),
-                                        ToleranceScene::Size, ToleranceScene::Size),
-    light.Place);
+  const RayPicture seen =
+    rays.render(RayView::fromCamera(scenes.front()->Renderer->GetActiveCamera(),
+                  ToleranceScene::Size, ToleranceScene::Size),
+      light.Place);
   const auto reference = scenes.front()->mask();
   std::vector<Row> rows;
   for (std::size_t i = 0; i < rivals.size(); ++i)
@@ -165,9 +166,8 @@ std::vector<Row> measureShape(const Shape& shape, const NamedLight& light)
     const benchmarks::PlannedSilhouette planned(
       passes[i], scenes[i]->Renderer, ToleranceScene::Size, shape.Surface, light.Place);
     Row row{ shape.Name, light.Name, rivals[i].Kind, rivals[i].Tolerance, planned.Tolerance > 0.0,
-      planned.Points, steps[i][benchmarks::VOLUMES], frames.median(i), 
-      frames.ratio(i, discrete, benchmarks::drawsOnProcessor(scenes.front()->Window)),
-      {} };
+      planned.Points, steps[i][benchmarks::VOLUMES], frames.median(i),
+      frames.ratio(i, discrete, benchmarks::drawsOnProcessor(scenes.front()->Window)), {} };
     if (shape.TrueShadow)
     {
       row.Error = benchmarks::pixelError(benchmarks::maskEdges(mask, seen), boundary.Places);
@@ -205,8 +205,8 @@ bool writeTable(const std::string& name, const std::vector<Row>& rows)
   for (const Row& row : rows)
   {
     file << row.Shape << ',' << row.Light << ',' << row.Kind << ',' << row.Tolerance << ','
-         << (row.Smooth ? "smooth" : "discrete") << ',' << row.Points << ',' << row.VolumeTime << ','
-         << row.FrameTime << ',' << row.FrameRatio << ',' << row.Error.Largest << ','
+         << (row.Smooth ? "smooth" : "discrete") << ',' << row.Points << ',' << row.VolumeTime
+         << ',' << row.FrameTime << ',' << row.FrameRatio << ',' << row.Error.Largest << ','
          << row.Error.RootMeanSquare << ',' << row.Allowed << ',' << row.Differing << '\n';
   }
   return file.good();
@@ -220,20 +220,18 @@ vtkSmartPointer<vtkChartXY> chartOf(const std::vector<Row>& rows, const char* ti
   auto chart = vtkSmartPointer<vtkChartXY>::New();
   chart->SetTitle(title);
   chart->GetTitleProperties()->SetFontSize(20);
-  benchmarks::styleAxis(chart->GetAxis(vtkAxis::BOTTOM), "PixelTolerance");
+  benchmarks::styleAxis(chart->GetAxis(vtkAxis::BOTTOM), "log2 of PixelTolerance");
   benchmarks::styleAxis(chart->GetAxis(vtkAxis::LEFT), axis);
-  // Ranges are fixed: plots are not drawn anew when an axis finds that it can be logarithmic.
-  const std::pair<int, std::array<double, 2>> axes[] = { { vtkAxis::BOTTOM, { 0.2, 5.0 } },
+  const std::pair<int, std::array<double, 2>> axes[] = { { vtkAxis::BOTTOM, { -2.2, 2.2 } },
     { vtkAxis::LEFT, range } };
   for (const auto& [place, ends] : axes)
   {
-    chart->GetAxis(place)->LogScaleOn();
     chart->GetAxis(place)->SetBehavior(vtkAxis::FIXED);
     chart->GetAxis(place)->SetRange(ends[0], ends[1]);
   }
   const auto add = [&](const std::string& name, const std::function<bool(const Row&)>& isIn,
-                     const std::function<double(const Row&)>& height, std::size_t colour, bool dashed)
-  {
+                     const std::function<double(const Row&)>& height, std::size_t colour,
+                     bool dashed) {
     constexpr std::array<unsigned char, 3> colours[] = { { 217, 95, 2 }, { 27, 158, 119 },
       { 117, 112, 179 }, { 230, 171, 2 }, { 60, 60, 60 } };
     vtkNew<vtkDoubleArray> tolerances;
@@ -245,7 +243,7 @@ vtkSmartPointer<vtkChartXY> chartOf(const std::vector<Row>& rows, const char* ti
       if (row.Light == Lights[0].Name && row.Tolerance > ReferenceTolerance && isIn(row) &&
         height(row) > 0.0)
       {
-        tolerances->InsertNextValue(row.Tolerance);
+        tolerances->InsertNextValue(std::log2(row.Tolerance));
         heights->InsertNextValue(height(row));
       }
     }
@@ -274,14 +272,16 @@ vtkSmartPointer<vtkChartXY> chartOf(const std::vector<Row>& rows, const char* ti
   {
     for (const char* kind : { "smooth", "automatic" })
     {
-      add(shapes[i] + ", " + kind,
+      add(
+        shapes[i] + ", " + kind,
         [&](const Row& row) { return row.Shape == shapes[i] && row.Kind == kind; }, value, i,
         std::string(kind) == "automatic");
     }
   }
   if (withAllowed)
   {
-    add("allowed",
+    add(
+      "allowed",
       [&](const Row& row) { return row.Shape == shapes.front() && row.Kind == "smooth"; },
       [](const Row& row) { return row.Allowed; }, 4, false);
   }
@@ -300,16 +300,18 @@ int main(int argc, char* argv[])
   {
     ToleranceScene first(shapes.front().Surface, Lights[0].Place);
     benchmarks::drawFrame(first.Window);
-    std::printf("%d x %d, the light moves; milliseconds, medians of %d frames in turns, volumes timed "
-                "with StepTiming; ratio of frames to\ndiscrete; distance in pixels of the shadow's edge "
-                "on the ground, halfway between a lit and a dark pixel, from the\ntrue shape's: allowed "
-                "is PixelTolerance over the cosine at which rays meet the ground, and half a pixel; "
-                "pixels that\ndiffer from a tolerance of %.2f\n%s\n",
+    std::printf(
+      "%d x %d, the light moves; milliseconds, medians of %d frames in turns, volumes timed "
+      "with StepTiming; ratio of frames to\ndiscrete; distance in pixels of the shadow's edge "
+      "on the ground, halfway between a lit and a dark pixel, from the\ntrue shape's: allowed "
+      "is PixelTolerance over the cosine at which rays meet the ground, and half a pixel; "
+      "pixels that\ndiffer from a tolerance of %.2f\n%s\n",
       ToleranceScene::Size, ToleranceScene::Size, Rounds, ReferenceTolerance,
       benchmarks::conditions(first.Window).c_str());
   }
-  std::printf("%-12s %-10s %-10s %5s %-9s %6s %8s %7s %5s %8s %6s %8s %7s\n", "shape", "light", "kind",
-    "toler", "taken", "points", "volume", "frame", "ratio", "largest", "RMS", "allowed", "differ");
+  std::printf("%-12s %-10s %-10s %5s %-9s %6s %8s %7s %5s %8s %6s %8s %7s\n", "shape", "light",
+    "kind", "toler", "taken", "points", "volume", "frame", "ratio", "largest", "RMS", "allowed",
+    "differ");
   std::vector<Row> rows;
   for (const Shape& shape : shapes)
   {
@@ -324,11 +326,12 @@ int main(int argc, char* argv[])
     }
   }
   const std::vector<vtkSmartPointer<vtkChartXY>> charts = {
-    chartOf(rows, "Largest distance of the shadow's edge from the true one", "pixels",
-      { 0.3, 10.0 },
+    chartOf(
+      rows, "Largest distance of the shadow's edge from the true one", "pixels", { 0.0, 5.0 },
       [](const Row& row) { return row.Error.Largest; }, true),
-    chartOf(rows, "Points of the silhouette", "points", { 50.0, 100000.0 },
-      [](const Row& row) { return static_cast<double>(row.Points); }, false)
+    chartOf(
+      rows, "Points of the silhouette", "log10 of points", { 1.5, 5.5 },
+      [](const Row& row) { return std::log10(static_cast<double>(row.Points)); }, false)
   };
   return writeTable(folder + "pixel-tolerance.csv", rows) &&
       benchmarks::writeCharts(folder + "pixel-tolerance.png", charts)

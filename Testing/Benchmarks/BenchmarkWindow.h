@@ -20,12 +20,11 @@
 
 namespace benchmarks
 {
-/// An offscreen window of size x size pixels without multisampling. Ends the program with the reason
-/// if there is none.
+/// An offscreen window of size x size pixels without multisampling. Ends the program with the
+/// reason if there is none.
 inline vtkSmartPointer<vtkRenderWindow> openWindow(int size, vtkRenderer* renderer)
 {
-  auto window =
-    vtkSmartPointer<vtkRenderWindow>::Take(vtkOffscreenWindows::NewWindow(nullptr));
+  auto window = vtkSmartPointer<vtkRenderWindow>::Take(vtkOffscreenWindows::NewWindow(nullptr));
   if (!window)
   {
     std::cerr << vtkOffscreenWindows::GetLastReason() << std::endl;
@@ -61,10 +60,9 @@ inline std::string rendererOf(vtkRenderWindow* window)
   const std::string capabilities = window->ReportCapabilities();
   const std::string label = "OpenGL renderer string:";
   const std::size_t begin = capabilities.find(label);
-  return begin == std::string::npos
-    ? "not known"
-    : capabilities.substr(
-        begin + label.size(), capabilities.find('\n', begin) - begin - label.size());
+  return begin == std::string::npos ? "not known"
+                                    : capabilities.substr(begin + label.size(),
+                                        capabilities.find('\n', begin) - begin - label.size());
 }
 
 /// Whether frames are drawn by the processor, so that its time tells what they cost.

@@ -10,6 +10,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -57,8 +58,8 @@ RTCGeometry makeGeometry(RTCDevice device, vtkPolyData* mesh)
 {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   const auto points = static_cast<std::size_t>(mesh->GetNumberOfPoints());
-  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-    RTC_FORMAT_FLOAT3, 3 * sizeof(float), points));
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+    geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), points));
   for (std::size_t i = 0; i < points; ++i)
   {
     double p[3];
@@ -96,8 +97,8 @@ struct alignas(32) Packet
   int Valid[Lanes];
 };
 
-void setRay(RTCRay8& ray, unsigned int lane, const Vec3& from, const Vec3& direction, double nearest,
-  double farthest)
+void setRay(RTCRay8& ray, unsigned int lane, const Vec3& from, const Vec3& direction,
+  double nearest, double farthest)
 {
   ray.org_x[lane] = static_cast<float>(from[0]);
   ray.org_y[lane] = static_cast<float>(from[1]);
@@ -162,8 +163,8 @@ double PacketCaster::getBuildTime() const
 
 bool PacketCaster::isNative() const
 {
-  return rtcGetDeviceProperty(
-           this->Internal->Device, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) != 0;
+  return rtcGetDeviceProperty(this->Internal->Device, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) !=
+    0;
 }
 
 std::vector<unsigned char> PacketCaster::render(
@@ -179,11 +180,10 @@ std::vector<unsigned char> PacketCaster::render(
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   const PlaneOfPixels nearPlane(view, -1.0);
   const PlaneOfPixels farPlane(view, 1.0);
-  std::vector<Packet> packets(static_cast<std::size_t>(view.Width) *
-    static_cast<std::size_t>(view.Height) / Lanes);
+  std::vector<Packet> packets(
+    static_cast<std::size_t>(view.Width) * static_cast<std::size_t>(view.Height) / Lanes);
   std::vector<unsigned char> mask(packets.size() * Lanes, 255);
-  const auto forEachLane = [&](const auto& body)
-  {
+  const auto forEachLane = [&](const auto& body) {
     std::size_t packet = 0;
     for (int y = 0; y < view.Height; y += PacketHeight)
     {
@@ -198,60 +198,48 @@ std::vector<unsigned char> PacketCaster::render(
     }
   };
 
-  primaryTime += timeOf(
-    [&]
-    {
-      forEachLane(
-        [&](Packet& packet, unsigned int lane, int x, int y)
-        {
-          const Vec3 from = nearPlane.at(x + 0.5, y + 0.5);
-          setRay(packet.Rays.ray, lane, from, farPlane.at(x + 0.5, y + 0.5) - from, 0.0, 1.0);
-          packet.Rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
-          packet.Rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
-          packet.Valid[lane] = -1;
-        });
-      for (Packet& packet : packets)
-      {
-        rtcIntersect8(packet.Valid, scene, &context, &packet.Rays);
-      }
+  primaryTime += timeOf([&] {
+    forEachLane([&](Packet& packet, unsigned int lane, int x, int y) {
+      const Vec3 from = nearPlane.at(x + 0.5, y + 0.5);
+      setRay(packet.Rays.ray, lane, from, farPlane.at(x + 0.5, y + 0.5) - from, 0.0, 1.0);
+      packet.Rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+      packet.Rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+      packet.Valid[lane] = -1;
     });
+    for (Packet& packet : packets)
+    {
+      rtcIntersect8(packet.Valid, scene, &context, &packet.Rays);
+    }
+  });
 
   const double length = std::hypot(light[0], light[1], light[2]);
-  shadowTime += timeOf(
-    [&]
-    {
-      forEachLane(
-        [&](Packet& packet, unsigned int lane, int, int)
-        {
-          RTCRay8& ray = packet.Rays.ray;
-          packet.Valid[lane] =
-            packet.Rays.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID ? 0 : -1;
-          const auto at = [&](float from, float direction)
-          { return static_cast<double>(from) + static_cast<double>(ray.tfar[lane] * direction); };
-          const Vec3 hit{ at(ray.org_x[lane], ray.dir_x[lane]),
-            at(ray.org_y[lane], ray.dir_y[lane]), at(ray.org_z[lane], ray.dir_z[lane]) };
-          const Vec3 towards = Vec3{ light[0], light[1], light[2] } - light[3] * hit;
-          const double distance = light[3] != 0.0
-            ? std::sqrt(dot(towards, towards))
-            : length;
-          setRay(ray, lane, hit, towards, LeastDistance * this->Internal->Size / distance,
-            light[3] != 0.0 ? 1.0 / light[3] : std::numeric_limits<double>::infinity());
-        });
-      for (Packet& packet : packets)
-      {
-        rtcOccluded8(packet.Valid, scene, &context, &packet.Rays.ray);
-      }
+  shadowTime += timeOf([&] {
+    forEachLane([&](Packet& packet, unsigned int lane, int, int) {
+      RTCRay8& ray = packet.Rays.ray;
+      packet.Valid[lane] = packet.Rays.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID ? 0 : -1;
+      const auto at = [&](float from, float direction) {
+        return static_cast<double>(from) + static_cast<double>(ray.tfar[lane] * direction);
+      };
+      const Vec3 hit{ at(ray.org_x[lane], ray.dir_x[lane]), at(ray.org_y[lane], ray.dir_y[lane]),
+        at(ray.org_z[lane], ray.dir_z[lane]) };
+      const Vec3 towards = Vec3{ light[0], light[1], light[2] } - light[3] * hit;
+      const double distance = light[3] != 0.0 ? std::sqrt(dot(towards, towards)) : length;
+      setRay(ray, lane, hit, towards, LeastDistance * this->Internal->Size / distance,
+        light[3] != 0.0 ? 1.0 / light[3] : std::numeric_limits<double>::infinity());
     });
+    for (Packet& packet : packets)
+    {
+      rtcOccluded8(packet.Valid, scene, &context, &packet.Rays.ray);
+    }
+  });
 
-  forEachLane(
-    [&](const Packet& packet, unsigned int lane, int x, int y)
+  forEachLane([&](const Packet& packet, unsigned int lane, int x, int y) {
+    if (packet.Valid[lane] != 0 && packet.Rays.ray.tfar[lane] < 0.0f)
     {
-      if (packet.Valid[lane] != 0 && packet.Rays.ray.tfar[lane] < 0.0f)
-      {
-        mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.Width) +
-          static_cast<std::size_t>(x)] = 0;
-      }
-    });
+      mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.Width) +
+        static_cast<std::size_t>(x)] = 0;
+    }
+  });
   return mask;
 }
 }

@@ -9,8 +9,8 @@
 
 namespace benchmarks
 {
-/// Triangles without matrices. Everything is computed in single precision, and the shadow rays begin a
-/// little off the surface: a rival in speed, no oracle.
+/// Triangles without matrices. Everything is computed in single precision, and the shadow rays
+/// begin a little off the surface: a rival in speed, no oracle.
 class PacketCaster
 {
 public:

@@ -30,8 +30,9 @@ struct PartMeshes
 
   PartMeshes()
   {
-    for (const char* name : { "anchor_dense", "fandisk", "rotor", "turbine", "couplingdown", "joint",
-           "pinion", "spool" })
+    constexpr const char* names[] = { "anchor_dense", "fandisk", "rotor", "turbine", "couplingdown",
+      "joint", "pinion", "spool" };
+    for (const char* name : names)
     {
       // Its normals are smooth everywhere; parts have creases.
       vtkNew<vtkPolyDataNormals> normals;
@@ -44,9 +45,9 @@ struct PartMeshes
 };
 
 /**
- * 20 x 10 parts, 2.5 apart. The eye looks along the rows from their middle, so that about half of them
- * are behind it or beside its view. The last two columns are off the plane's edge, and their parts
- * show no shadows.
+ * 20 x 10 parts, 2.5 apart. The eye looks along the rows from their middle, so that more than half
+ * of them are behind it or beside its view. The last two columns are off the plane's edge, and
+ * their parts show no shadows.
  */
 class PartsScene
 {
@@ -151,8 +152,8 @@ private:
     // Up to between the last but two columns and the next, for any y.
     const double edge = columnAt(Columns - 3) + 0.5 * Spacing;
     const double half = Spacing * Columns;
-    const auto mesh = shadowtest::moved(
-      shadowtest::ground(0.0, half, 16), 1.0, { edge - half, 0.0, 0.0 });
+    const auto mesh =
+      shadowtest::moved(shadowtest::ground(0.0, half, 16), 1.0, { edge - half, 0.0, 0.0 });
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(mesh);
     vtkNew<vtkActor> actor;

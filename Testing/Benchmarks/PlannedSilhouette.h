@@ -48,8 +48,7 @@ struct PlannedSilhouette
     if (choice.Smooth && pass->GetKind() != vtkStencilShadowPass::DISCRETE)
     {
       constexpr double finest = 1e-6;
-      this->Tolerance =
-        std::clamp(choice.Tolerance, finest * mesh->GetLength(), mesh->GetLength());
+      this->Tolerance = std::clamp(choice.Tolerance, finest * mesh->GetLength(), mesh->GetLength());
       silhouette->SetKindToSmooth();
       silhouette->SetToleranceModeToWorld();
       silhouette->SetTolerance(this->Tolerance);

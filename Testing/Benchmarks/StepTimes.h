@@ -38,14 +38,16 @@ inline StepTimes stepTimes(vtkStencilShadowPass* pass)
     const bool hasLight = plan->GetValueByName(row, "Light").ToInt() >= 0;
     const bool hasCaster = plan->GetValueByName(row, "Caster").ToInt() >= 0;
     const bool shades = plan->GetValueByName(row, "Decision").ToString() == "shading";
-    times[hasCaster ? VOLUMES : hasLight ? COUNTING : shades ? SHADING : DEPTH] +=
-      plan->GetValueByName(row, "Milliseconds").ToDouble();
+    times[hasCaster ? VOLUMES
+        : hasLight  ? COUNTING
+        : shades    ? SHADING
+                    : DEPTH] += plan->GetValueByName(row, "Milliseconds").ToDouble();
   }
   return times;
 }
 
-/// Medians of frames of each pass, which draw(pass, round) draws in turn. Waits after steps, which costs
-/// time itself.
+/// Medians of frames of each pass, which draw(pass, round) draws in turn. Waits after steps, which
+/// costs time itself.
 template <class Draw>
 std::vector<StepTimes> measureSteps(
   const std::vector<vtkStencilShadowPass*>& passes, const Draw& draw, int rounds = 15)

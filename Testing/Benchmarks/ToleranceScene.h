@@ -86,15 +86,14 @@ struct ToleranceScene
   }
 };
 
-/// Places halfway between neighbouring pixels of which one is lit and one in shadow, both on object 0
-/// of the ray cast, and so are all around them. What is between is within half a pixel of there.
+/// Places halfway between neighbouring pixels of which one is lit and one in shadow, both on object
+/// 0 of the ray cast, and so are all around them. What is between is within half a pixel of there.
 inline std::vector<PixelPlace> maskEdges(vtkImageData* mask, const shadowtest::RayPicture& objects)
 {
   constexpr int size = ToleranceScene::Size;
   const auto* values = static_cast<const unsigned char*>(mask->GetScalarPointer());
   const auto at = [&](int x, int y) { return values[y * size + x]; };
-  const auto isGround = [&](int x, int y)
-  {
+  const auto isGround = [&](int x, int y) {
     for (int j = -1; j <= 1; ++j)
     {
       for (int i = -1; i <= 1; ++i)
