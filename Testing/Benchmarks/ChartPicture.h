@@ -47,6 +47,8 @@ inline bool writeCharts(
   }
   const auto window = openWindow(width, renderer);
   window->SetSize(width, height * count);
+  // Plots follow a logarithmic axis from the second frame on only.
+  window->Render();
   window->Render();
   vtkNew<vtkPNGWriter> writer;
   writer->SetFileName(name.c_str());
