@@ -5,6 +5,7 @@
 // BenchmarkContinuity [folder]: writes continuity.csv and continuity.png into it.
 
 #include "AnalyticShadow.h"
+#include "ChartPicture.h"
 #include "LightWalk.h"
 #include "TestMeshes.h"
 
@@ -12,25 +13,17 @@
 #include <vtkCellArray.h>
 #include <vtkChartLegend.h>
 #include <vtkChartXY.h>
-#include <vtkContextActor.h>
-#include <vtkContextScene.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
-#include <vtkOffscreenWindows.h>
-#include <vtkPNGWriter.h>
 #include <vtkPen.h>
 #include <vtkPlotPoints.h>
 #include <vtkPoints.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -144,25 +137,14 @@ vtkSmartPointer<vtkTable> tableOf(const Series& line)
   return table;
 }
 
-void styleAxis(vtkAxis* axis, const char* title)
-{
-  axis->SetTitle(title);
-  axis->GetTitleProperties()->SetFontSize(18);
-  axis->GetTitleProperties()->BoldOff();
-  axis->GetLabelProperties()->SetFontSize(15);
-  axis->GetGridPen()->SetColor(225, 225, 225);
-}
-
-vtkSmartPointer<vtkChartXY> chartOf(const Walk& walk, const vtkRectf& place)
+vtkSmartPointer<vtkChartXY> chartOf(const Walk& walk)
 {
   auto chart = vtkSmartPointer<vtkChartXY>::New();
-  chart->SetAutoSize(false);
-  chart->SetSize(place);
   chart->SetTitle(walk.Title);
   chart->GetTitleProperties()->SetFontSize(20);
-  styleAxis(chart->GetAxis(vtkAxis::BOTTOM), "step of the light (1/1000 radian each)");
+  benchmarks::styleAxis(chart->GetAxis(vtkAxis::BOTTOM), "step of the light (1/1000 radian each)");
   vtkAxis* left = chart->GetAxis(vtkAxis::LEFT);
-  styleAxis(left, "movement in the step / step");
+  benchmarks::styleAxis(left, "movement in the step / step");
   left->LogScaleOn();
   left->SetBehavior(vtkAxis::FIXED);
   left->SetRange(0.1, 2000.0);
@@ -188,43 +170,6 @@ vtkSmartPointer<vtkChartXY> chartOf(const Walk& walk, const vtkRectf& place)
   chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
   return chart;
 }
-
-bool writePicture(const std::string& name, const std::vector<Walk>& walks)
-{
-  constexpr int Width = 1200;
-  constexpr int Height = 560; // of one chart
-  vtkNew<vtkContextActor> actor;
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(1.0, 1.0, 1.0);
-  renderer->AddActor(actor);
-  actor->GetScene()->SetRenderer(renderer);
-  const int count = static_cast<int>(walks.size());
-  for (int i = 0; i < count; ++i)
-  {
-    const auto bottom = static_cast<float>(Height * (count - 1 - i));
-    actor->GetScene()->AddItem(
-      chartOf(walks[static_cast<std::size_t>(i)], vtkRectf(0.0f, bottom, Width, Height)));
-  }
-  vtkSmartPointer<vtkRenderWindow> window;
-  window.TakeReference(vtkOffscreenWindows::NewWindow(nullptr));
-  if (!window)
-  {
-    std::cerr << vtkOffscreenWindows::GetLastReason() << std::endl;
-    return false;
-  }
-  window->SetMultiSamples(0);
-  window->SetSize(Width, Height * count);
-  window->AddRenderer(renderer);
-  window->Render();
-  vtkNew<vtkWindowToImageFilter> capture;
-  capture->SetInput(window);
-  capture->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(name.c_str());
-  writer->SetInputConnection(capture->GetOutputPort());
-  writer->Write();
-  return writer->GetErrorCode() == 0;
-}
 }
 
 int main(int argc, char* argv[])
@@ -239,8 +184,13 @@ int main(int argc, char* argv[])
   {
     print(walk);
   }
+  std::vector<vtkSmartPointer<vtkChartXY>> charts;
+  for (const Walk& walk : walks)
+  {
+    charts.push_back(chartOf(walk));
+  }
   return writeTable(folder + "continuity.csv", walks) &&
-      writePicture(folder + "continuity.png", walks)
+      benchmarks::writeCharts(folder + "continuity.png", charts)
     ? 0
     : 1;
 }

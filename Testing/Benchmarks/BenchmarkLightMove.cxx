@@ -6,12 +6,11 @@
 // without arguments.
 
 #include "Measure.h"
-#include "RealMeshes.h"
 #include "ShadowPipeline.h"
+#include "SubdividedBunny.h"
 
 #include <vtkContourFilter.h>
 #include <vtkDoubleArray.h>
-#include <vtkLoopSubdivisionFilter.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkPolyDataSilhouette.h>
@@ -36,19 +35,10 @@ shadowtest::LightPosition lightAt(int step)
   return { 3.0 * std::cos(angle), 3.0 * std::sin(angle), 2.0, 1.0 };
 }
 
-vtkSmartPointer<vtkPolyData> subdividedBunny(int times)
+vtkSmartPointer<vtkPolyData> bunnyWithNormals(int subdivisions)
 {
-  vtkSmartPointer<vtkPolyData> mesh = shadowtest::bunny();
-  if (times > 0)
-  {
-    vtkNew<vtkLoopSubdivisionFilter> loop;
-    loop->SetInputData(mesh);
-    loop->SetNumberOfSubdivisions(times);
-    loop->Update();
-    mesh = loop->GetOutput();
-  }
   vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(mesh);
+  normals->SetInputData(benchmarks::subdividedBunny(subdivisions));
   normals->SetFeatureAngle(60.0);
   normals->Update();
   return normals->GetOutput();
@@ -228,7 +218,7 @@ int main(int argc, char* argv[])
     vtkSMPTools::GetBackend(), vtkSMPTools::GetEstimatedNumberOfThreads(), load.c_str());
   for (const int level : levels)
   {
-    const auto mesh = subdividedBunny(level);
+    const auto mesh = bunnyWithNormals(level);
     const int runs = level > 1 ? 9 : 25;
     std::printf("\nbunny, %lld triangles; milliseconds of %d light moves\n",
       static_cast<long long>(mesh->GetNumberOfCells()), runs);
