@@ -152,7 +152,8 @@ public:
   ///@{
   /**
    * Whether casters whose shadow does not come into view are left out. Default on. This and the
-   * rules below save time and leave the picture as it is.
+   * rules below save time and leave the picture as it is,
+   * but for single pixels beside an edge, where roundings differ.
    */
   vtkSetMacro(SkipUnseenCasters, bool);
   vtkGetMacro(SkipUnseenCasters, bool);
