@@ -14,7 +14,9 @@
 #include <vtkStencilShadowPass.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <vector>
 
 namespace benchmarks
 {
@@ -35,11 +37,13 @@ struct PlannedSilhouette
     Matrix4 identity{};
     vtkMatrix4x4::Identity(identity.data());
     vtkCamera* camera = renderer->GetActiveCamera();
+    std::vector<vtkProp*> receivingProps;
     const ShadowPlan plan(
       { ToMatrix4(camera->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0)), size, size },
-      FindReceivers(renderer), {});
-    this->Pixel =
-      plan.Decide({ light }, CornersOf(BoundsWithContours(mesh, deviation), identity)).Pixel;
+      FindReceivers(renderer, receivingProps), {});
+    const std::array<double, 6> bounds = FindFiniteBounds(mesh);
+    const double room = 0.1 * FindDiagonal(bounds) + 2.0 * deviation;
+    this->Pixel = plan.Decide({ light }, CornersOf(WithRoom(bounds, room), identity)).Pixel;
     const bool isChosen = pass->GetKind() == vtkStencilShadowPass::AUTOMATIC;
     const SilhouetteChoice choice =
       ChooseSilhouette(isChosen ? deviation : std::numeric_limits<double>::quiet_NaN(), this->Pixel,
