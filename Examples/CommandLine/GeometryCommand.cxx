@@ -69,7 +69,7 @@ void AddGeometryArguments(CLI::App& command, GeometryArguments& arguments)
     ->required()
     ->type_name("FILE.vtp");
   AddLightOption(command, arguments.Light);
-  AddSilhouetteOptions(command, arguments.Silhouette, false);
+  AddSilhouetteOptions(command, arguments.Silhouette);
   command
     .add_option("--receiver", arguments.Receivers,
       "a mesh that receives the shadow, given again for more of them; the tolerance of mode "

@@ -3,6 +3,7 @@
 #include "Failure.h"
 #include "LightMoves.h"
 #include "Messages.h"
+#include "SilhouetteOptions.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <sstream>
 
 namespace
@@ -130,17 +132,17 @@ void Picture::AddFillLight()
   this->Renderer->AddLight(light);
 }
 
-void Picture::CastShadows(
-  const SilhouetteOptions& options, const std::string& counting, double largestDiagonal)
+void Picture::CastShadows(const ShadowOptions& options)
 {
-  // The pass knows relative tolerances only: by the largest mesh, none is farther off than wanted.
-  const double scale = options.ToleranceMode == "world" ? 1.0 / largestDiagonal : 1.0;
   this->Pass = vtkSmartPointer<vtkStencilShadowPass>::New();
-  this->Pass->SetKind(KindNumber(options.Kind));
-  this->Pass->SetTolerance(options.Tolerance * scale);
-  this->Pass->SetCounting(counting == "zpass" ? vtkStencilShadowPass::Z_PASS
-      : counting == "zfail"                   ? vtkStencilShadowPass::Z_FAIL
-                                              : vtkStencilShadowPass::AUTOMATIC);
+  this->Pass->SetKind(options.Kind == "auto" ? static_cast<int>(vtkStencilShadowPass::AUTOMATIC)
+                                             : KindNumber(options.Kind));
+  this->Pass->SetPixelTolerance(options.PixelTolerance);
+  static const std::map<std::string, int> countings = { { "auto", vtkStencilShadowPass::AUTOMATIC },
+    { "zpass", vtkStencilShadowPass::Z_PASS }, { "zfail", vtkStencilShadowPass::Z_FAIL } };
+  this->Pass->SetCounting(countings.at(options.Counting));
+  this->Pass->SetStepTiming(options.Plan);
+  this->Pass->SetReuseUnchanged(!options.Plan);
   this->Renderer->SetPass(this->Pass);
 }
 

@@ -5,7 +5,6 @@
 #define Picture_h
 
 #include "Scene.h"
-#include "SilhouetteOptions.h"
 
 #include <vtkImageData.h>
 #include <vtkLight.h>
@@ -20,6 +19,15 @@
 #include <string>
 #include <vector>
 
+/// What the shadows are to be, as vtkStencilShadowPass has it.
+struct ShadowOptions
+{
+  std::string Kind = "auto"; ///< auto, smooth, accurate or discrete; none: no shadows
+  double PixelTolerance = 0.5;
+  std::string Counting = "auto"; ///< auto, zpass or zfail
+  bool Plan = false; ///< nothing is taken over from the frame before, and each step is timed
+};
+
 class Picture
 {
 public:
@@ -31,10 +39,8 @@ public:
   void AddMeshes(const std::vector<vtkPolyData*>& meshes);
   void AddScene(const Scene& scene, bool ground);
 
-  /// Draws shadows from here on; without this call there are none. `counting` is auto, zpass or
-  /// zfail, as in vtkStencilShadowPass.
-  void CastShadows(
-    const SilhouetteOptions& options, const std::string& counting, double largestDiagonal);
+  /// Draws shadows from here on; without this call there are none.
+  void CastShadows(const ShadowOptions& options);
 
   /// What was done for each light and caster in the last frame, as vtkStencilShadowPass tells; null
   /// without shadows.

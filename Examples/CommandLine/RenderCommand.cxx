@@ -5,6 +5,7 @@
 #include "MeshReader.h"
 #include "Picture.h"
 #include "Shading.h"
+#include "SilhouetteOptions.h"
 #include "Statistics.h"
 #include "Timing.h"
 
@@ -27,9 +28,8 @@ struct Arguments
   std::string Mask;
   std::string Window = vtkOffscreenWindows::GetDefaultName();
   SceneOptions Scene;
-  SilhouetteOptions Silhouette;
-  std::string Counting = "auto";
-  bool Plan = false;
+  ShadowOptions Shadow;
+  double FeatureAngle = 60.0;
   int Supersample = 1;
   int Frames = 1;
   bool MoveLights = false;
@@ -49,7 +49,7 @@ std::vector<LoadedMesh> LoadMeshes(const Arguments& arguments, Progress& progres
   {
     const Mesh mesh = ReadMesh(file, progress);
     progress.Show("preparing " + file);
-    const ShadedMesh shaded = PrepareForShading(mesh.Data, arguments.Silhouette.FeatureAngle);
+    const ShadedMesh shaded = PrepareForShading(mesh.Data, arguments.FeatureAngle);
     if (shaded.Data->GetNumberOfPolys() == 0)
     {
       throw Failure("no triangle has finite points", file, "write the mesh again");
@@ -150,7 +150,10 @@ std::string DescribePlan(const Json& rows)
   std::ostringstream lines;
   for (const Json& row : rows)
   {
-    lines << "light " << row["light"] << ", caster " << row["caster"] << ": "
+    const int light = row["light"];
+    const int caster = row["caster"];
+    lines << (light < 0 ? "frame" : "light " + std::to_string(light))
+          << (caster < 0 ? "" : ", caster " + std::to_string(caster)) << ": "
           << row["decision"].get<std::string>() << "; " << row["reason"].get<std::string>() << "; "
           << row["milliseconds"].get<double>() << " ms\n";
   }
@@ -160,9 +163,9 @@ std::string DescribePlan(const Json& rows)
 std::string Summary(const Arguments& arguments, const Json& statistics)
 {
   std::ostringstream line;
-  line << (arguments.Plan ? DescribePlan(statistics["plan"]) : "");
+  line << (arguments.Shadow.Plan ? DescribePlan(statistics["plan"]) : "");
   line << arguments.Output << ": " << statistics["width"] << " x " << statistics["height"] << ", "
-       << arguments.Silhouette.Kind << ", " << statistics["frameMilliseconds"].get<double>()
+       << arguments.Shadow.Kind << ", " << statistics["frameMilliseconds"].get<double>()
        << " ms a frame, shadowed pixels";
   for (const Json& light : statistics["lights"])
   {
@@ -199,9 +202,9 @@ void Run(const Arguments& arguments)
   Picture picture(arguments.Window, drawnSize);
   picture.AddMeshes(surfaces);
   picture.AddScene(scene, arguments.Scene.Ground);
-  if (arguments.Silhouette.Kind != "none")
+  if (arguments.Shadow.Kind != "none")
   {
-    picture.CastShadows(arguments.Silhouette, arguments.Counting, largestDiagonal);
+    picture.CastShadows(arguments.Shadow);
   }
   const Json times = DrawFrames(picture, scene, largestDiagonal, arguments, progress);
 
@@ -215,7 +218,7 @@ void Run(const Arguments& arguments)
   statistics["supersample"] = supersample;
   statistics["window"] = arguments.Window;
   statistics["renderer"] = picture.GraphicsName();
-  statistics["kind"] = arguments.Silhouette.Kind;
+  statistics["kind"] = arguments.Shadow.Kind;
   statistics.update(times);
   statistics["plan"] = PlanStatistics(picture.Plan());
   for (std::size_t i = 0; i < scene.Lights().size(); ++i)
@@ -288,6 +291,31 @@ void AddSceneOptions(CLI::App& command, SceneOptions& scene)
     [&scene](const std::string& text) { scene.Size = ParseSize("--size", text); });
 }
 
+void AddShadowOptions(CLI::App& command, ShadowOptions& shadow)
+{
+  command
+    .add_option("--kind", shadow.Kind,
+      "kind of silhouettes [auto]: discrete where a pixel does not tell, else smooth")
+    ->check(
+      CLI::IsMember(std::vector<std::string>{ "auto", "smooth", "accurate", "discrete", "none" }));
+  command
+    .add_option_function<std::string>(
+      "--pixel-tolerance",
+      [&shadow](const std::string& text) {
+        shadow.PixelTolerance = ParsePositive("--pixel-tolerance", text);
+      },
+      "by how many pixels the edge of a shadow may be off [0.5]")
+    ->type_name("PIXELS");
+  command
+    .add_option("--counting", shadow.Counting,
+      "how shadow volumes are counted [auto]; zfail is right always, zpass only where the eye and "
+      "what is right before it are in the light")
+    ->check(CLI::IsMember(std::vector<std::string>{ "auto", "zpass", "zfail" }));
+  command.add_flag("--plan", shadow.Plan,
+    "print what was done for each light and each caster, why, and how long it took; frames are "
+    "drawn wholly anew then");
+}
+
 void AddCount(CLI::App& command, const std::string& name, int& count, int largest, const char* help)
 {
   command
@@ -308,18 +336,12 @@ void AddRenderCommand(CLI::App& app, std::function<void()>& chosen)
     ->required()
     ->type_name("FILE.png");
   AddSceneOptions(command, arguments->Scene);
-  AddSilhouetteOptions(command, arguments->Silhouette, true);
+  AddShadowOptions(command, arguments->Shadow);
+  AddFeatureAngleOption(command, arguments->FeatureAngle);
   command
     .add_option("--window", arguments->Window,
       "what draws [" + arguments->Window + "]; egl and osmesa need no display")
     ->check(CLI::IsMember(std::vector<std::string>{ "egl", "osmesa", "native" }));
-  command
-    .add_option("--counting", arguments->Counting,
-      "how shadow volumes are counted [auto]; zfail is right always, zpass only where the eye and "
-      "what is right before it are in the light")
-    ->check(CLI::IsMember(std::vector<std::string>{ "auto", "zpass", "zfail" }));
-  command.add_flag(
-    "--plan", arguments->Plan, "print what was done for each light and each caster, and why");
   AddCount(command, "--supersample", arguments->Supersample, 16,
     "draw N x N pixels for each one of the picture, for smooth edges [1]");
   command

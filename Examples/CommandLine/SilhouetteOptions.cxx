@@ -6,15 +6,10 @@
 
 #include <CLI/CLI.hpp>
 
-void AddSilhouetteOptions(CLI::App& command, SilhouetteOptions& options, bool noShadow)
+void AddSilhouetteOptions(CLI::App& command, SilhouetteOptions& options)
 {
-  std::vector<std::string> kinds = { "smooth", "accurate", "discrete" };
-  if (noShadow)
-  {
-    kinds.emplace_back("none");
-  }
   command.add_option("--kind", options.Kind, "kind of silhouette [smooth]")
-    ->check(CLI::IsMember(kinds));
+    ->check(CLI::IsMember(std::vector<std::string>{ "smooth", "accurate", "discrete" }));
   command
     .add_option_function<std::string>(
       "--tolerance",
@@ -22,16 +17,11 @@ void AddSilhouetteOptions(CLI::App& command, SilhouetteOptions& options, bool no
         const std::string& text) { options.Tolerance = ParsePositive("--tolerance", text); },
       "how far a smooth silhouette may be from its curve [1e-4]")
     ->type_name("LENGTH");
-  // A picture has no receivers to be named: there the ground and all meshes receive.
-  std::vector<std::string> modes = { "relative", "world" };
-  std::string meanings = "whether it is a share of the mesh's diagonal, or a length in its units";
-  if (!noShadow)
-  {
-    modes.emplace_back("receiver");
-    meanings += " or in those of the receivers' shadow";
-  }
-  command.add_option("--tolerance-mode", options.ToleranceMode, meanings + " [relative]")
-    ->check(CLI::IsMember(modes));
+  command
+    .add_option("--tolerance-mode", options.ToleranceMode,
+      "whether it is a share of the mesh's diagonal, or a length in its units or in those of the "
+      "receivers' shadow [relative]")
+    ->check(CLI::IsMember(std::vector<std::string>{ "relative", "world", "receiver" }));
   AddFeatureAngleOption(command, options.FeatureAngle);
 }
 

@@ -22,9 +22,8 @@ struct SilhouetteOptions
   double FeatureAngle = 60.0;
 };
 
-/// Adds --kind (with "none" where noShadow), --tolerance, --tolerance-mode (without receivers
-/// there) and --feature-angle.
-void AddSilhouetteOptions(CLI::App& command, SilhouetteOptions& options, bool noShadow);
+/// Adds --kind, --tolerance, --tolerance-mode and --feature-angle.
+void AddSilhouetteOptions(CLI::App& command, SilhouetteOptions& options);
 
 /// Adds --feature-angle, in degrees.
 void AddFeatureAngleOption(CLI::App& command, double& angle);

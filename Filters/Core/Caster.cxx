@@ -5,6 +5,7 @@
 #include "VertexNormals.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace shadow
 {
@@ -68,6 +69,33 @@ std::shared_ptr<const Value> Caster::kept(std::shared_ptr<const Value>& place, c
   const std::lock_guard<std::mutex> lock(this->Guard);
   place = made;
   return made;
+}
+
+double Caster::edgeDeviation(const RangeLoop& loop)
+{
+  const auto greatest = [&]
+  {
+    std::atomic<double> most{ 0.0 };
+    loop(this->Edges.edges.size(), lightGrain,
+      [&](std::size_t begin, std::size_t end)
+      {
+        double own = 0.0;
+        for (std::size_t e = begin; e < end; ++e)
+        {
+          const Index edge = static_cast<Index>(e);
+          // What the triangles at it tell bends the normals, not the curve.
+          own = std::max(own,
+            makeUncorrectedCurve(this->Mesh, this->Edges, edge, this->edgeKind(edge))
+              .chordDeviation());
+        }
+        double before = most.load();
+        while (before < own && !most.compare_exchange_weak(before, own))
+        {
+        }
+      });
+    return most.load();
+  };
+  return *this->kept(this->EdgeDeviation, greatest);
 }
 
 TrackedResult Caster::search(const Light& light, FieldKind kind, const SearchSettings& settings,
@@ -156,6 +184,7 @@ std::size_t Caster::memory() const
   const std::lock_guard<std::mutex> lock(this->Guard);
   std::size_t total = bytes(this->Mesh.points) + bytes(this->Mesh.triangles) +
     bytes(this->Mesh.normals) + bytes(this->Mesh.normalVertex) + bytes(this->Mesh.cornerNormals) +
+    bytes(this->Mesh.sources) +
     bytes(this->Edges.edges) + bytes(this->Edges.firstOther) + bytes(this->Edges.sides) +
     bytes(this->Edges.triangleEdges) + bytes(this->Weights.parts) + bytes(this->Weights.parting) +
     bytes(this->Weights.agreeing) + bytes(this->LinkEdges) + bytes(this->EdgeKinds) +

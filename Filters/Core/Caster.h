@@ -52,6 +52,10 @@ public:
   /// The curve of an edge. What it takes its triangles for is kept.
   EdgeCurve curve(Index edge);
 
+  /// The greatest distance between an edge and its curve, by EdgeCurve::chordDeviation; 0
+  /// without edges. Made once, in O(edges).
+  double edgeDeviation(const RangeLoop& loop);
+
   /// The silhouette of a light. The last complete one is kept, and given whenever it was searched
   /// for as asked, Automatic being content with any. A light on a vertex is taken to be just above
   /// the surface there, by 1e-6 of the radius, as the rule takes it that calls a field of zero lit.
@@ -93,6 +97,7 @@ private:
   std::array<std::shared_ptr<const SearchIndex>, 2> Indices;
   std::array<std::shared_ptr<const TrackingSeeds>, 2> Seeds;
   std::shared_ptr<const PlaceIndex> Places;
+  std::shared_ptr<const double> EdgeDeviation;
   Light LastLight;
   std::shared_ptr<const SilhouetteChain> Last;
 };

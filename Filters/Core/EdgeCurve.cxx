@@ -232,6 +232,22 @@ Vec3 EdgeCurve::derivative(double s) const
   }
 }
 
+/// A Surface's height is the cubic with the ends' slopes, whose inner ordinates are a third of
+/// these and weigh at most 3/4 together, and the correction times s^2 (1-s)^2, which is 1/16 at most.
+double EdgeCurve::chordDeviation() const
+{
+  switch (this->shape)
+  {
+    case Shape::Surface:
+      return 0.25 * this->length * std::max(std::fabs(this->slopeA), std::fabs(this->slopeB)) +
+        std::fabs(this->heightCorrection) / 16.0;
+    case Shape::Crease:
+      return this->crease.deviationBound();
+    default:
+      return 0.0;
+  }
+}
+
 EdgeCurve::Sample EdgeCurve::sample(double s, const Vec3& normalA, const Vec3& normalB) const
 {
   Sample result{ this->point(s), normalA + s * (normalB - normalA) };

@@ -50,6 +50,11 @@ struct EdgeCurve
   /// normalA, normalB: the side's unit normals at the ends. For Surface they are in the frame.
   Sample sample(double s, const Vec3& normalA, const Vec3& normalB) const;
 
+  /// How far the curve is from the chord at most: no point of it is farther from the chord's point
+  /// at the same parameter. An upper bound: of a circle's arc it exceeds the sagitta by half the
+  /// square of the angle, in radians, between chord and curve at the ends, relatively.
+  double chordDeviation() const;
+
   /// The piece of the curve between two parameters, in this order, as a cubic with the curve's
   /// ends and derivatives.
   CubicCurve arc(double from, double to) const;

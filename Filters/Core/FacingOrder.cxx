@@ -160,6 +160,10 @@ void orderTriangles(TriangleMesh& mesh, const RangeLoop& loop)
   Renumbering vertices(mesh.points.size());
   vertices.apply(mesh.triangles);
   vertices.move(mesh.points);
+  if (!mesh.sources.empty())
+  {
+    vertices.move(mesh.sources);
+  }
   Renumbering normals(mesh.normals.size());
   normals.apply(mesh.cornerNormals);
   normals.move(mesh.normals);

@@ -126,6 +126,7 @@ struct TriangleMesh
   std::vector<Vec3> normals;           ///< unit length, or zero where none is known
   std::vector<Index> normalVertex;     ///< the vertex at which each normal is
   std::vector<Triangle> cornerNormals; ///< normal of each corner
+  std::vector<Index> sources;          ///< if known, each vertex's number where it comes from
 
   /// Normal of a triangle by its winding, twice its area long.
   Vec3 areaNormal(Index triangle) const

@@ -1,10 +1,6 @@
 #include "ShadowVolume.h"
 
-#include "VolumeCaps.h"
 #include "VolumeDepth.h"
-#include "VolumeRims.h"
-
-#include <algorithm>
 
 namespace shadow
 {
@@ -16,61 +12,63 @@ constexpr std::size_t longLoop = 16;
 class VolumeBuilder
 {
 public:
-  VolumeBuilder(const Caster& caster, const SilhouetteChain& chain,
-    const SilhouetteInput& silhouette, const VolumeSettings& settings)
-    : TheCaster(caster)
-    , Chain(chain)
-    , Silhouette(silhouette)
+  VolumeBuilder(const NearEnd& near, const VolumeSettings& settings)
+    : Near(near)
+    , TheLight(near.chain.light)
     , Settings(settings)
-    , VertexCount(caster.mesh().points.size())
   {
   }
 
   ShadowVolume build()
   {
-    const Caps caps = this->Settings.caps;
-    this->placeMeshPoints();
-    if (caps != Caps::None)
-    {
-      addCaps(this->TheCaster, this->Chain,
-        caps == Caps::Lit ? CapSide::Lit : CapSide::Dark, this->Volume.triangles);
-    }
-    const std::vector<VolumeRim> rims = buildRims(
-      this->TheCaster, this->Chain, this->Silhouette, caps != Caps::None, this->Volume);
-    const bool lightIsOutside = this->lightIsOutside();
-    this->Volume.greatestDepth = greatestDepth(
-      rims, this->Chain.light, this->TheCaster.centre(), lightIsOutside, this->Volume);
-    const std::size_t nearEnd = this->Volume.triangles.size();
+    this->placeNearEnd();
+    const std::size_t nearTriangles = this->Volume.triangles.size();
     this->Volume.firstEnd = this->Volume.points.size();
     this->Extruded.assign(this->Volume.points.size(), None);
-    for (const VolumeRim& rim : rims)
+    for (const VolumeRim& rim : this->Near.rims)
     {
       const bool asStrip = this->Settings.wallStrips && rim.points.size() >= longLoop &&
         !this->endsInOnePoint();
       asStrip ? this->addWallStrip(rim) : this->addWalls(rim);
     }
-    if (caps != Caps::None && this->Settings.farCap && !this->endsInOnePoint())
+    if (this->Near.cap && !this->endsInOnePoint())
     {
-      this->isInfinite() && lightIsOutside ? this->addFarFan(rims) : this->projectNearCap(nearEnd);
+      this->isInfinite() && this->Near.lightIsOutside ? this->addFarFan()
+                                                      : this->projectNearCap(nearTriangles);
     }
     return std::move(this->Volume);
   }
 
 private:
-  /// Vertices and crossings keep their node numbers.
-  void placeMeshPoints()
+  /// All of its points and the mesh's keep their numbers.
+  void placeNearEnd()
   {
     std::vector<Vec4>& points = this->Volume.points;
-    points.reserve(this->VertexCount + 2 * this->Chain.crossings.size() +
-      3 * this->Silhouette.points.size() + 1);
-    for (const Vec3& p : this->TheCaster.mesh().points)
+    const TriangleMesh& mesh = this->Near.caster.mesh();
+    const std::size_t nodes = mesh.points.size() + this->Near.chain.crossings.size();
+    points.reserve(nodes + this->Near.chain.crossings.size() + 3 * this->Near.points.size() + 1);
+    for (const Vec3& p : mesh.points)
     {
       points.emplace_back(p, 1.0);
     }
-    for (const Crossing& c : this->Chain.crossings)
+    for (const Crossing& c : this->Near.chain.crossings)
     {
-      points.emplace_back(meshPoint(this->TheCaster.mesh(), this->TheCaster.edges(), c), 1.0);
+      points.emplace_back(meshPoint(mesh, this->Near.caster.edges(), c), 1.0);
     }
+    for (const Vec3& p : this->Near.points)
+    {
+      points.emplace_back(p, 1.0);
+    }
+    std::vector<VolumeTriangle>& triangles = this->Volume.triangles;
+    if (this->Near.cap)
+    {
+      triangles.reserve(mesh.triangles.size());
+      this->Near.cap->forEach(
+        [&](const Triangle& t) { triangles.push_back({ t, VolumePart::Cap, 1 }); });
+    }
+    triangles.insert(
+      triangles.end(), this->Near.triangles.begin(), this->Near.triangles.end());
+    this->Volume.greatestDepth = greatestDepth(this->Near);
   }
 
   void add(Index p, Index q, Index r, VolumePart part, int multiplicity)
@@ -82,7 +80,7 @@ private:
   }
 
   bool isInfinite() const { return this->Settings.end.extent == Extent::Infinite; }
-  bool endsInOnePoint() const { return this->isInfinite() && this->Chain.light.isDirectional(); }
+  bool endsInOnePoint() const { return this->isInfinite() && this->TheLight.isDirectional(); }
 
   Index addEnd(const Vec4& point, Index origin)
   {
@@ -98,7 +96,7 @@ private:
     {
       if (this->Apex == None)
       {
-        this->Apex = this->addEnd(this->Chain.light.extrude(Vec3(0.0)), None);
+        this->Apex = this->addEnd(this->TheLight.extrude(Vec3(0.0)), None);
       }
       return this->Apex;
     }
@@ -107,8 +105,8 @@ private:
       const Vec3 place(this->Volume.points[point]);
       const ShadowEnd& end = this->Settings.end;
       this->Volume.unreached +=
-        end.extent == Extent::Plane && !end.reachesPlane(place, this->Chain.light);
-      this->Extruded[point] = this->addEnd(end.of(place, this->Chain.light), point);
+        end.extent == Extent::Plane && !end.reachesPlane(place, this->TheLight);
+      this->Extruded[point] = this->addEnd(end.of(place, this->TheLight), point);
     }
     return this->Extruded[point];
   }
@@ -148,24 +146,12 @@ private:
     this->Volume.strips.push_back(std::move(strip));
   }
 
-  /// From outside a ball all its points are seen within less than a half space, so a fan at
-  /// infinity is the same chain as the projected cap. A smooth contour may leave the mesh's ball.
-  bool lightIsOutside() const
-  {
-    const Vec3& centre = this->TheCaster.centre();
-    double radius = this->TheCaster.radius();
-    for (const Vec3& p : this->Silhouette.points)
-    {
-      radius = std::max(radius, glm::length(p - centre));
-    }
-    return glm::length(this->Chain.light.toward(centre)) > 1.001 * this->Chain.light.w * radius;
-  }
-
-  void addFarFan(const std::vector<VolumeRim>& rims)
+  /// At infinity, with the light outside, it is the same chain as the projected cap.
+  void addFarFan()
   {
     const Index apex =
-      this->addEnd(this->Chain.light.extrude(this->TheCaster.centre()), None);
-    for (const VolumeRim& rim : rims)
+      this->addEnd(this->TheLight.extrude(this->Near.caster.centre()), None);
+    for (const VolumeRim& rim : this->Near.rims)
     {
       forEachSegment(rim,
         [&](Index p, Index q)
@@ -176,9 +162,9 @@ private:
     }
   }
 
-  void projectNearCap(std::size_t nearEnd)
+  void projectNearCap(std::size_t nearTriangles)
   {
-    for (std::size_t i = 0; i < nearEnd; ++i)
+    for (std::size_t i = 0; i < nearTriangles; ++i)
     {
       const VolumeTriangle t = this->Volume.triangles[i];
       this->add(this->extruded(t.points[2]), this->extruded(t.points[1]),
@@ -186,21 +172,18 @@ private:
     }
   }
 
-  const Caster& TheCaster;
-  const SilhouetteChain& Chain;
-  const SilhouetteInput& Silhouette;
+  const NearEnd& Near;
+  const Light& TheLight;
   const VolumeSettings& Settings;
-  const std::size_t VertexCount;
   ShadowVolume Volume;
   std::vector<Index> Extruded; ///< where the shadow of each point ends
   Index Apex = None;
 };
 }
 
-ShadowVolume extrude(const Caster& caster, const SilhouetteChain& chain,
-  const SilhouetteInput& silhouette, const VolumeSettings& settings)
+ShadowVolume extrude(const NearEnd& near, const VolumeSettings& settings)
 {
-  return VolumeBuilder(caster, chain, silhouette, settings).build();
+  return VolumeBuilder(near, settings).build();
 }
 
 double enclosedVolume(const ShadowVolume& volume, const Vec3& centre)

@@ -1,26 +1,11 @@
 /// The shadow volume of a caster: caps, gaps, walls and far cap as one closed chain of triangles.
 #pragma once
 
+#include "NearEnd.h"
 #include "ShadowEnd.h"
-#include "SilhouetteMatch.h"
 
 namespace shadow
 {
-enum class VolumePart : std::uint8_t
-{
-  Cap,
-  Gap,
-  Wall,
-  FarCap
-};
-
-struct VolumeTriangle
-{
-  Triangle points;
-  VolumePart part;
-  int multiplicity; ///< at least 1
-};
-
 /// The walls along a loop as one strip of triangles: a loop's point, where its shadow ends, the
 /// next point, and so on around; the first two come again at the end.
 struct WallStrip
@@ -42,35 +27,22 @@ struct ShadowVolume
   std::size_t unreached = 0; ///< points whose rays do not come to the plane they should end on
 };
 
-/// What the near cap is made of.
-enum class Caps
-{
-  None,
-  Lit,
-  Dark
-};
-
 struct VolumeSettings
 {
-  Caps caps = Caps::Dark;
   ShadowEnd end;
-  bool farCap = true;      ///< closes the volume's far end
   bool wallStrips = false; ///< not to infinity in a direction, where walls have one point in common
 };
 
-/// Extrudes to where the shadow is to end. The silhouette must match the chain. The sum of all
-/// directed edges, with multiplicity, is zero unless caps are left out, or pieces of the silhouette
-/// missing.
+/// Extrudes to where the shadow is to end. The sum of all directed edges, with multiplicity, is
+/// zero unless caps are left out, or pieces of the silhouette missing.
 ///
-/// Gap triangles fill what is between a smooth silhouette and the mesh. A finite volume's far cap
-/// is its near cap and gaps, moved to where their shadows end.
+/// A finite volume's far cap is its near cap and gaps, moved to where their shadows end.
 ///
 /// To infinity walls are quads for a point light and triangles for a directional one, all of whose
 /// shadows end at one point there; only a point light has a far cap. With the light outside the
 /// ball around the caster this is a fan at infinity, otherwise all of the near cap is projected
 /// there: then it covers the sphere at infinity as often as the light is enclosed by the caster.
-ShadowVolume extrude(const Caster& caster, const SilhouetteChain& chain,
-  const SilhouetteInput& silhouette, const VolumeSettings& settings);
+ShadowVolume extrude(const NearEnd& near, const VolumeSettings& settings);
 
 /// What a finite, closed volume encloses, as often as it winds around it. By the divergence theorem
 /// about `centre`, which should be near.

@@ -1,5 +1,7 @@
 #include "VolumeCaps.h"
 
+#include <algorithm>
+
 namespace shadow
 {
 namespace
@@ -31,90 +33,6 @@ void appendCrossings(const Caster& caster, const SilhouetteChain& chain, Index t
     inside = inside != (c == own);
   }
 }
-
-class CapBuilder
-{
-public:
-  CapBuilder(const Caster& caster, const SilhouetteChain& chain, CapSide side,
-    std::vector<VolumeTriangle>& triangles)
-    : TheCaster(caster)
-    , Mesh(caster.mesh())
-    , Edges(caster.edges())
-    , Chain(chain)
-    , Which(side)
-    , Triangles(triangles)
-  {
-  }
-
-  void build()
-  {
-    const std::vector<bool> crossed = this->trianglesAtCrossedEdges();
-    const ChainWeights& weights = this->TheCaster.weights();
-    const FieldKind kind = this->Chain.field.kind();
-    const std::vector<bool> onDarkField = weights.capsOnDarkField(kind, this->Which);
-    this->Triangles.reserve(this->Triangles.size() + this->Mesh.triangles.size());
-    for (std::size_t i = 0; i < this->Mesh.triangles.size(); ++i)
-    {
-      const Index t = static_cast<Index>(i);
-      const ChainWeight weight = weights.cap(kind, t, onDarkField[weights.part(t)]);
-      if (!crossed[t])
-      {
-        this->addTriangle(
-          this->Mesh.triangles[t], weight.of(isLitAt(this->Mesh, this->Chain, t, 0)));
-        continue;
-      }
-      for (const bool lit : { true, false })
-      {
-        if (weight.of(lit) != 0)
-        {
-          this->addPolygon(
-            partOfTriangle(this->TheCaster, this->Chain, t, lit), weight.of(lit));
-        }
-      }
-    }
-  }
-
-private:
-  std::vector<bool> trianglesAtCrossedEdges() const
-  {
-    std::vector<bool> crossed(this->Mesh.triangles.size(), false);
-    for (const Crossing& c : this->Chain.crossings)
-    {
-      const Index e = c.edge;
-      for (Index i = this->Edges.firstSide(e); i < this->Edges.firstSide(e + 1); ++i)
-      {
-        crossed[this->Edges.sides[i] / 3] = true;
-      }
-    }
-    return crossed;
-  }
-
-  void addPolygon(const std::vector<Index>& polygon, int weight)
-  {
-    for (std::size_t i = 2; i < polygon.size(); ++i)
-    {
-      this->addTriangle({ polygon[0], polygon[i - 1], polygon[i] }, weight);
-    }
-  }
-
-  /// A weight of -1 turns the triangle's winding around. The first corner stays the first, as the
-  /// mesh has it, so that rasterisers that interpolate from it give the same depth.
-  void addTriangle(const Triangle& t, int weight)
-  {
-    if (weight != 0)
-    {
-      this->Triangles.push_back(
-        { weight > 0 ? t : Triangle{ t[0], t[2], t[1] }, VolumePart::Cap, 1 });
-    }
-  }
-
-  const Caster& TheCaster;
-  const TriangleMesh& Mesh;
-  const EdgeTable& Edges;
-  const SilhouetteChain& Chain;
-  const CapSide Which;
-  std::vector<VolumeTriangle>& Triangles;
-};
 }
 
 std::vector<Index> partOfTriangle(
@@ -132,9 +50,85 @@ std::vector<Index> partOfTriangle(
   return polygon;
 }
 
-void addCaps(const Caster& caster, const SilhouetteChain& chain, CapSide side,
-  std::vector<VolumeTriangle>& triangles)
+NearCap::NearCap(const Caster& caster, const SilhouetteChain& chain, CapSide side)
+  : TheCaster(caster)
+  , Chain(chain)
+  , OnDarkField(caster.weights().capsOnDarkField(chain.field.kind(), side))
 {
-  CapBuilder(caster, chain, side, triangles).build();
+  this->findCrossed();
+  for (const Index t : this->Crossed)
+  {
+    this->addParts(t);
+  }
+}
+
+void NearCap::findCrossed()
+{
+  const EdgeTable& edges = this->TheCaster.edges();
+  for (const Crossing& c : this->Chain.crossings)
+  {
+    const Index e = c.edge;
+    for (Index i = edges.firstSide(e); i < edges.firstSide(e + 1); ++i)
+    {
+      this->Crossed.push_back(edges.sides[i] / 3);
+    }
+  }
+  std::sort(this->Crossed.begin(), this->Crossed.end());
+  this->Crossed.erase(
+    std::unique(this->Crossed.begin(), this->Crossed.end()), this->Crossed.end());
+}
+
+void NearCap::addParts(Index triangle)
+{
+  const ChainWeights& weights = this->TheCaster.weights();
+  const ChainWeight weight = weights.cap(
+    this->Chain.field.kind(), triangle, this->OnDarkField[weights.part(triangle)]);
+  for (const bool lit : { true, false })
+  {
+    if (weight.of(lit) == 0)
+    {
+      continue;
+    }
+    const std::vector<Index> polygon =
+      partOfTriangle(this->TheCaster, this->Chain, triangle, lit);
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+    {
+      this->Parts.push_back(
+        { triangle, turned({ polygon[0], polygon[i - 1], polygon[i] }, weight.of(lit)) });
+    }
+  }
+}
+
+void NearCap::writeWhole(
+  const RangeLoop& loop, const std::function<Triangle*(std::size_t)>& allocate) const
+{
+  constexpr std::size_t blockSize = lightGrain;
+  const TriangleMesh& mesh = this->TheCaster.mesh();
+  const std::size_t blocks = (mesh.triangles.size() + blockSize - 1) / blockSize;
+  std::vector<std::vector<Triangle>> found(blocks);
+  loop(blocks, 1,
+    [&](std::size_t firstBlock, std::size_t endBlock)
+    {
+      for (std::size_t block = firstBlock; block < endBlock; ++block)
+      {
+        std::vector<Triangle>& own = found[block];
+        own.reserve(blockSize);
+        this->forEachWhole(static_cast<Index>(block * blockSize),
+          static_cast<Index>(std::min(mesh.triangles.size(), (block + 1) * blockSize)),
+          [&](Index, const Triangle& t) {
+            own.push_back({ mesh.sources[t[0]], mesh.sources[t[1]], mesh.sources[t[2]] });
+          });
+      }
+    });
+  std::size_t count = 0;
+  for (const std::vector<Triangle>& own : found)
+  {
+    count += own.size();
+  }
+  Triangle* next = allocate(count);
+  for (const std::vector<Triangle>& own : found)
+  {
+    next = std::copy(own.begin(), own.end(), next);
+  }
 }
 }

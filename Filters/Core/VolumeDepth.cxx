@@ -151,46 +151,47 @@ bool mayHit(const Vec3& direction, const std::array<Vec3, 3>& rays)
   return anyAhead && !(anyPositive && anyNegative);
 }
 
-int depthOfCap(const ShadowVolume& volume, const Light& light, const Vec3& direction)
+int depthOfCap(const NearEnd& end, const Vec3& direction)
 {
   int depth = 0;
-  for (const VolumeTriangle& t : volume.triangles)
+  const auto add = [&](const Triangle& t, int multiplicity)
   {
-    if (t.part != VolumePart::Cap && t.part != VolumePart::Gap)
-    {
-      continue;
-    }
     std::array<Vec3, 3> rays;
     for (unsigned k = 0; k < 3; ++k)
     {
-      rays[k] = -light.toward(Vec3(volume.points[t.points[k]]));
+      rays[k] = -end.chain.light.toward(end.place(t[k]));
     }
-    depth += mayHit(direction, rays) ? t.multiplicity : 0;
+    depth += mayHit(direction, rays) ? multiplicity : 0;
+  };
+  if (end.cap)
+  {
+    end.cap->forEach([&](const Triangle& t) { add(t, 1); });
+  }
+  for (const VolumeTriangle& t : end.triangles)
+  {
+    add(t.points, t.multiplicity);
   }
   return depth;
 }
 }
 
-int greatestDepth(const std::vector<VolumeRim>& rims, const Light& light, const Vec3& centre,
-  bool lightIsOutside, const ShadowVolume& volume)
+int greatestDepth(const NearEnd& end)
 {
-  const MeridianFrame frame(light, centre);
+  const Vec3& centre = end.caster.centre();
+  const MeridianFrame frame(end.chain.light, centre);
   MeridianCounts counts;
   std::vector<double> turns;
-  for (const VolumeRim& rim : rims)
+  for (const VolumeRim& rim : end.rims)
   {
     turns.clear();
     for (const Index point : rim.points)
     {
-      const Vec3 from = Vec3(volume.points[point]) - centre;
+      const Vec3 from = end.place(point) - centre;
       turns.push_back(turn(glm::dot(from, frame.x), glm::dot(from, frame.y)));
     }
-    if (!turns.empty())
-    {
-      counts.addLoop(turns, rim.multiplicity);
-    }
+    counts.addLoop(turns, rim.multiplicity);
   }
-  const int atPole = lightIsOutside ? 0 : depthOfCap(volume, light, frame.axis);
+  const int atPole = end.lightIsOutside ? 0 : depthOfCap(end, frame.axis);
   return atPole + counts.greatest();
 }
 }

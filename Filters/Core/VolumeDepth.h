@@ -1,7 +1,7 @@
 /// How often a shadow volume winds around a point at most.
 #pragma once
 
-#include "VolumeRims.h"
+#include "NearEnd.h"
 
 namespace shadow
 {
@@ -13,7 +13,6 @@ namespace shadow
 /// the pole: 0 away from a caster that the light is outside of, else the count of the near cap's
 /// triangles there. From the pole to any direction one comes along a meridian, on which it changes
 /// at most by what runs across the meridian in one sense. Meridians are taken by sectors. Linear in
-/// the rims; with the light inside also in the near cap.
-int greatestDepth(const std::vector<VolumeRim>& rims, const Light& light, const Vec3& centre,
-  bool lightIsOutside, const ShadowVolume& volume);
+/// the rims; with the light inside also in the near cap, without which it is no bound there.
+int greatestDepth(const NearEnd& end);
 }

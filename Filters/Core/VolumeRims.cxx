@@ -12,30 +12,31 @@ namespace
 class RimBuilder
 {
 public:
-  RimBuilder(const Caster& caster, const SilhouetteChain& chain, const SilhouetteInput& silhouette,
-    bool withCaps, ShadowVolume& volume)
-    : TheCaster(caster)
-    , Chain(chain)
+  RimBuilder(const SilhouetteInput& silhouette, NearEnd& end)
+    : TheCaster(end.caster)
+    , Chain(end.chain)
     , Silhouette(silhouette)
-    , WithCaps(withCaps)
-    , Concave(caster, chain)
-    , VertexCount(caster.mesh().points.size())
-    , Volume(volume)
+    , Concave(end.caster, end.chain)
+    , VertexCount(end.caster.mesh().points.size())
+    , End(end)
   {
   }
 
-  std::vector<VolumeRim> build()
+  void build()
   {
     this->placePoints();
-    std::vector<VolumeRim> rims;
+    std::vector<VolumeRim>& rims = this->End.rims;
     for (std::size_t loop = 0; loop < this->Silhouette.multiplicity.size(); ++loop)
     {
       rims.push_back({ {}, this->Silhouette.multiplicity[loop] });
       forEachStretch(
         this->Silhouette, loop, [&](const Stretch& s) { this->addStretch(s, rims.back()); });
       closeRim(rims.back().points);
+      if (rims.back().points.empty())
+      {
+        rims.pop_back();
+      }
     }
-    return rims;
   }
 
 private:
@@ -70,8 +71,9 @@ private:
         this->Placed[i] = *known;
         continue;
       }
-      this->Placed[i] = static_cast<Index>(this->Volume.points.size());
-      this->Volume.points.emplace_back(this->Silhouette.points[i], 1.0);
+      this->Placed[i] = static_cast<Index>(
+        this->VertexCount + this->Chain.crossings.size() + this->End.points.size());
+      this->End.points.push_back(this->Silhouette.points[i]);
       if (known)
       {
         *known = this->Placed[i];
@@ -106,6 +108,7 @@ private:
       begin += rim[begin] != rim[end - 1];
       --end;
     }
+    end = end - begin < 2 ? begin : end;
     rim.assign(rim.begin() + static_cast<std::ptrdiff_t>(begin),
       rim.begin() + static_cast<std::ptrdiff_t>(end));
   }
@@ -145,7 +148,7 @@ private:
     for (std::size_t i = 1; i + 1 < part.size(); ++i)
     {
       append(part[i], rim.points);
-      if (this->WithCaps)
+      if (this->End.cap)
       {
         this->add(part[0], part[i], part[i + 1], VolumePart::Cap, rim.multiplicity);
       }
@@ -173,24 +176,22 @@ private:
   {
     if (p != q && q != r && r != p)
     {
-      this->Volume.triangles.push_back({ { p, q, r }, part, multiplicity });
+      this->End.triangles.push_back({ { p, q, r }, part, multiplicity });
     }
   }
 
   const Caster& TheCaster;
   const SilhouetteChain& Chain;
   const SilhouetteInput& Silhouette;
-  const bool WithCaps;
   const ConcaveContour Concave;
   const std::size_t VertexCount;
-  ShadowVolume& Volume;
-  std::vector<Index> Placed; ///< the volume's point for each point of the silhouette
+  NearEnd& End;
+  std::vector<Index> Placed; ///< the rims' point for each point of the silhouette
 };
 }
 
-std::vector<VolumeRim> buildRims(const Caster& caster, const SilhouetteChain& chain,
-  const SilhouetteInput& silhouette, bool withCaps, ShadowVolume& volume)
+void addRims(const SilhouetteInput& silhouette, NearEnd& end)
 {
-  return RimBuilder(caster, chain, silhouette, withCaps, volume).build();
+  RimBuilder(silhouette, end).build();
 }
 }

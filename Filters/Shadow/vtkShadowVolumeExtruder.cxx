@@ -134,18 +134,26 @@ int vtkShadowVolumeExtruder::RequestData(
          "is.");
     return 0;
   }
+  const shadow::NearEnd nearEnd =
+    shadow::makeNearEnd(caster, *chain, silhouette, coreCaps(this->Caps));
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (this->Extent == NEAR_END)
+  {
+    writeNearEnd(nearEnd, output);
+    return 1;
+  }
   const shadow::ShadowEnd end{ static_cast<shadow::Extent>(this->Extent),
     this->Length > 0.0 ? this->Length : 20.0 * caster.radius(), toVector(this->PlaneOrigin),
     toVector(this->PlaneNormal) };
-  const shadow::ShadowVolume volume = shadow::extrude(
-    caster, *chain, silhouette, { coreCaps(this->Caps), end, this->FarCap, this->WallStrips });
+  const shadow::ShadowVolume volume =
+    shadow::extrude(nearEnd, { end, this->WallStrips });
   if (volume.unreached > 0)
   {
     vtkErrorMacro(<< describeUnreached(volume.unreached, end));
     return 0;
   }
   writeVolume(volume, caster.centre(), end,
-    this->Caps != NONE && this->FarCap && match == shadow::Match::Whole, vtkPolyData::GetData(outputVector));
+    this->Caps != NONE && match == shadow::Match::Whole, output);
   return 1;
 }
 
@@ -161,6 +169,5 @@ void vtkShadowVolumeExtruder::PrintSelf(ostream& os, vtkIndent indent)
      << this->PlaneOrigin[2] << ")\n";
   os << indent << "PlaneNormal: (" << this->PlaneNormal[0] << ", " << this->PlaneNormal[1] << ", "
      << this->PlaneNormal[2] << ")\n";
-  os << indent << "FarCap: " << (this->FarCap ? "on" : "off") << "\n";
   os << indent << "WallStrips: " << (this->WallStrips ? "on" : "off") << "\n";
 }

@@ -20,8 +20,7 @@
  *
  * Output: triangles, wound outwards; with WallStrips also triangle strips.
  * - PointData `Homogeneous` (4, double; w is 1 or 0, at infinity). Points shows those at infinity
- *   at Length along their direction. `NearPoints` (vtkIdType): of a point at which the shadow of
- *   another one ends, that one; -1 for all others.
+ *   at Length along their direction.
  * - CellData `Part` (0 cap, 1 gap between a smooth silhouette and the mesh, 2 wall, 3 far cap),
  *   `Multiplicity` (how often the triangle counts, at least 1).
  * - FieldData `Closed`: 1 if the directed edges of all triangles, taken with their multiplicity,
@@ -30,6 +29,20 @@
  *   `GreatestDepth`: a bound on how often the volume winds around a point (far behind the mesh, if
  *   a corner field's cap turns away from the light in places). `Volume`, of a finite extent: what
  *   it encloses.
+ *
+ * With the extent NEAR_END the output is only what the volume begins with, for renderers that
+ * extrude it themselves; without caps it costs in proportion to the silhouette, with them the
+ * mesh's triangles are looked at once. Points (double) are those that its cells use, none else.
+ * - Polys: gaps, and those of the near cap's triangles that are parts of the mesh's.
+ * - Lines: the rims, along which walls begin, each a closed polyline (the first id is repeated). A
+ *   segment from p to q has the wall (q, p, p's end), (q, p's end, q's end).
+ * - CellData `Part`, `Multiplicity` as above; lines come before polys, and are WALL.
+ * - FieldData `CapTriangles` (3, unsigned int): the near cap's other triangles, as point ids of
+ *   port 0's mesh, of equal points any one. One that counts several times is there as often.
+ *   `GreatestDepth`: as above; with the light inside of the ball it is no bound if Caps is NONE, as
+ *   what is around the light is not known then. `LightOutside`: whether the light is outside of the
+ *   ball around mesh and silhouette: from there an infinite volume's far end may be a fan over the
+ *   rims' ends at infinity, from inside it is all of the near end, projected there.
  *
  * Errors: a silhouette that does not belong to the mesh gives vtkErrorMacro and no output, as does
  * a light that is not finite or is all zero. At most 2^30 points and 2^31 corners of triangles,
@@ -57,7 +70,8 @@ public:
   {
     INFINITE = 0,
     LENGTH = 1,
-    PLANE = 2
+    PLANE = 2,
+    NEAR_END = 3
   };
 
   enum CapKinds
@@ -112,13 +126,15 @@ public:
   /**
    * Where shadows end: INFINITE; LENGTH, at Length from each point along its ray; or PLANE, on a
    * plane that each point's ray meets (a point beyond the plane is its own end). It is an error if
-   * there are rays that do not come to the plane. Default INFINITE.
+   * there are rays that do not come to the plane. NEAR_END makes only what is to be extruded.
+   * Default INFINITE.
    */
-  vtkSetClampMacro(Extent, int, INFINITE, PLANE);
+  vtkSetClampMacro(Extent, int, INFINITE, NEAR_END);
   vtkGetMacro(Extent, int);
   void SetExtentToInfinite() { this->SetExtent(INFINITE); }
   void SetExtentToLength() { this->SetExtent(LENGTH); }
   void SetExtentToPlane() { this->SetExtent(PLANE); }
+  void SetExtentToNearEnd() { this->SetExtent(NEAR_END); }
   ///@}
 
   ///@{
@@ -140,16 +156,6 @@ public:
   vtkGetVector3Macro(PlaneOrigin, double);
   vtkSetVector3Macro(PlaneNormal, double);
   vtkGetVector3Macro(PlaneNormal, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether there is a far cap. Without it the volume is open: for renderers that close or leave open
-   * the far end themselves. Default on.
-   */
-  vtkSetMacro(FarCap, bool);
-  vtkGetMacro(FarCap, bool);
-  vtkBooleanMacro(FarCap, bool);
   ///@}
 
   ///@{
@@ -184,7 +190,6 @@ private:
   double Length = 0.0;
   double PlaneOrigin[3] = { 0.0, 0.0, 0.0 };
   double PlaneNormal[3] = { 0.0, 0.0, 1.0 };
-  bool FarCap = true;
   bool WallStrips = false;
 
   std::unique_ptr<CasterCache> Cache;

@@ -143,6 +143,22 @@ int vtkSmoothLightSilhouette::RequestData(
   return 1;
 }
 
+double vtkSmoothLightSilhouette::ComputeMeshDeviation()
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    return 0.0;
+  }
+  this->GetInputAlgorithm()->Update();
+  vtkPolyData* input = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
+  if (!input || isTooLarge(input) || !std::isfinite(this->FeatureAngle))
+  {
+    return 0.0;
+  }
+  PreparedCaster& prepared = this->Cache->get(input, { this->MergePoints, this->FeatureAngle });
+  return prepared.caster.edgeDeviation(smpRangeLoop);
+}
+
 unsigned long vtkSmoothLightSilhouette::GetKeptMemorySize() const
 {
   return static_cast<unsigned long>((this->Cache->memory() + 1023) / 1024);

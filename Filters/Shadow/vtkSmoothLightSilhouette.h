@@ -197,6 +197,17 @@ public:
   ///@}
 
   /**
+   * How far the smooth surface is from the mesh, along its edges: the greatest distance between
+   * an edge and the curve that SMOOTH has in its place, in world units. An upper bound, which
+   * exceeds the distance by half the square of the angle between edge and curve (1% at 8 degrees).
+   * It is what a silhouette of the mesh itself may miss there; flat faces, straight creases and
+   * what has normals that say nothing give 0, but for rounding. The same for every light and Kind.
+   * Updates the input; takes O(edges), on VTK's threads, once for a mesh, FeatureAngle and
+   * MergePoints. 0 without a mesh or if it is too large.
+   */
+  double ComputeMeshDeviation();
+
+  /**
    * What is kept of the mesh between updates, without the last silhouette, in kibibytes as
    * GetActualMemorySize of data. Filters that read the same mesh share it.
    */

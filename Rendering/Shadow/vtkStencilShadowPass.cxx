@@ -1,43 +1,28 @@
 #include "vtkStencilShadowPass.h"
 
-#include "DataSetSurfaces.h"
+#include "DepthOccluders.h"
+#include "MaskPainter.h"
 #include "MaskedLighting.h"
-#include "Matrix4.h"
 #include "OpenGLFunctions.h"
 #include "RenderPassKeys.h"
 #include "RendererSteps.h"
 #include "RestoredState.h"
-#include "ShadowCasters.h"
-#include "ShadowFramebuffer.h"
-#include "ShadowLights.h"
-#include "ShadowPlan.h"
-#include "VolumeCache.h"
-#include "VolumeCounter.h"
+#include "SceneBounds.h"
 
 #include "vtkActor.h"
-#include "vtkBoundingBox.h"
 #include "vtkCommand.h"
-#include "vtkDoubleArray.h"
 #include "vtkFrameBufferObjectBase.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
-#include "vtkIntArray.h"
 #include "vtkLight.h"
-#include "vtkMath.h"
-#include "vtkMatrix3x3.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
-#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkPolyData.h"
-#include "vtkPropCollection.h"
-#include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTextureUnitManager.h"
 #include "vtkTimeStamp.h"
@@ -45,7 +30,7 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -82,9 +67,7 @@ public:
       return;
     }
     this->Window->PushContext();
-    this->Volumes.Release();
-    this->Counter.Release();
-    this->Target.Release();
+    this->Painter.Release();
     this->Window->PopContext();
     this->Window->RemoveObserver(this->WindowObserver);
     this->Window = nullptr;
@@ -111,43 +94,13 @@ public:
     }
   }
 
-  /**
-   * Draws the mask of each light, on the depth that is there. Gives the reason if counts had to do
-   * with fewer bits than they may need, or nothing.
-   */
-  std::string DrawMasks(vtkRenderer* renderer, const std::vector<ShadowLight>& lights,
-    const VolumeCache::Quality& quality, const ShadowRules& rules);
-
-  struct PlannedVolume
-  {
-    CasterPlan Plan;
-    const VolumeBuffers* Buffers = nullptr;
-    double Milliseconds = 0.0;
-  };
-  PlannedVolume PlanVolume(vtkRenderer* renderer, const ShadowPlan& plan, const ShadowLight& light,
-    const ShadowCaster& caster, const VolumeCache::Quality& quality);
-  void CountVolume(const PlannedVolume& volume, const ShadowLight& light,
-    const ShadowCaster& caster, const Matrix4& worldToClip);
-
   LightSwitches Switches;
   vtkSmartPointer<vtkRenderPass> DefaultDelegate = MakeRendererSteps();
   vtkNew<vtkOpaquePass> DepthPass;
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   unsigned long WindowObserver = 0;
-  ShadowFramebuffer Target;
-  VolumeCounter Counter;
-  VolumeCache Volumes;
-  DataSetSurfaces Surfaces;
-
-  struct PlanRow
-  {
-    std::size_t Light;
-    std::size_t Caster;
-    CasterPlan Plan;
-    double Milliseconds;
-  };
-  std::vector<PlanRow> Plan;
+  MaskPainter Painter;
 
   // A light's place is its mask's number.
   std::vector<vtkWeakPointer<vtkLight>> MaskedLights;
@@ -161,13 +114,6 @@ public:
 
 namespace
 {
-bool Receives(vtkProp* prop)
-{
-  vtkInformation* keys = prop->GetPropertyKeys();
-  vtkInformationIntegerKey* key = vtkStencilShadowPass::RECEIVES_SHADOW();
-  return !keys || !keys->Has(key) || keys->Get(key) != 0;
-}
-
 /**
  * The size of what the state draws into, found as vtkCameraPass does.
  */
@@ -185,184 +131,6 @@ std::array<int, 2> FindSize(const vtkRenderState* state)
   }
   return size;
 }
-
-/**
- * Bounds of all that a shadow may fall on; invalid if something has none.
- */
-std::array<double, 6> FindReceiverBounds(vtkRenderer* renderer)
-{
-  vtkBoundingBox box;
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator iterator;
-  props->InitTraversal(iterator);
-  bool everythingIsBounded = true;
-  while (vtkProp* prop = props->GetNextProp(iterator))
-  {
-    double* bounds = prop->GetVisibility() ? prop->GetBounds() : nullptr;
-    if (bounds && prop->GetUseBounds() && vtkMath::AreBoundsInitialized(bounds))
-    {
-      box.AddBounds(bounds);
-    }
-    else if (bounds && !prop->GetUseBounds())
-    {
-      everythingIsBounded = false;
-    }
-  }
-  std::array<double, 6> result{ 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-  if (everythingIsBounded && box.IsValid())
-  {
-    box.GetBounds(result.data());
-  }
-  return result;
-}
-
-/**
- * Bounds of a mesh with room for a smooth contour, which may leave them.
- */
-std::array<double, 6> RoomyBounds(vtkPolyData* mesh)
-{
-  constexpr double room = 0.1;
-  std::array<double, 6> bounds;
-  mesh->GetBounds(bounds.data());
-  const double margin = room * mesh->GetLength();
-  for (std::size_t i = 0; i < 6; ++i)
-  {
-    bounds[i] += i % 2 == 0 ? -margin : margin;
-  }
-  return bounds;
-}
-
-/**
- * A plane of the world in the mesh's coordinates.
- */
-std::array<double, 4> MovePlane(const std::array<double, 4>& plane, const Matrix4& toWorld)
-{
-  std::array<double, 4> moved;
-  vtkMatrix4x4::MultiplyPoint(Transposed(toWorld).data(), plane.data(), moved.data());
-  return moved;
-}
-
-/**
- * The props that the depth stage draws. Lines of which some are removed as hidden are not among them:
- * what is seen behind those would get their mask.
- */
-std::vector<vtkProp*> FindOccluders(const vtkRenderState* state)
-{
-  std::vector<vtkProp*> props;
-  for (int i = 0; i < state->GetPropArrayCount(); ++i)
-  {
-    vtkProp* prop = state->GetPropArray()[i];
-    vtkActor* actor = vtkActor::SafeDownCast(prop);
-    if (!actor || !state->GetRenderer()->GetUseHiddenLineRemoval() ||
-      actor->GetProperty()->GetRepresentation() != VTK_WIREFRAME)
-    {
-      props.push_back(prop);
-    }
-  }
-  return props;
-}
-
-Matrix4 FindWorldToClip(vtkRenderer* renderer)
-{
-  auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
-  vtkMatrix4x4* worldToView;
-  vtkMatrix3x3* normals;
-  vtkMatrix4x4* viewToClip;
-  vtkMatrix4x4* worldToClip;
-  camera->GetKeyMatrices(renderer, worldToView, normals, viewToClip, worldToClip);
-
-  // The camera keeps its matrices as OpenGL reads them, column by column.
-  return Transposed(ToMatrix4(worldToClip));
-}
-}
-
-std::string vtkStencilShadowPass::Internals::DrawMasks(vtkRenderer* renderer,
-  const std::vector<ShadowLight>& lights, const VolumeCache::Quality& quality,
-  const ShadowRules& rules)
-{
-  vtkOpenGLState* state = this->Window->GetState();
-  const Matrix4 worldToClip = FindWorldToClip(renderer);
-  const ShadowPlan plan({ worldToClip, this->Target.GetWidth(), this->Target.GetHeight() },
-    FindReceiverBounds(renderer), rules);
-  const std::vector<ShadowCaster> casters = CollectShadowCasters(renderer, this->Surfaces);
-  this->Volumes.BeginFrame();
-  this->Plan.clear();
-  std::string error;
-  for (std::size_t i = 0; i < lights.size(); ++i)
-  {
-    std::vector<PlannedVolume> volumes;
-    std::int64_t depth = 0;
-    for (std::size_t j = 0; j < casters.size(); ++j)
-    {
-      volumes.push_back(this->PlanVolume(renderer, plan, lights[i], casters[j], quality));
-      const PlannedVolume& planned = volumes.back();
-      depth += planned.Buffers ? planned.Buffers->GetGreatestDepth() : 0;
-      this->Plan.push_back({ i, j, planned.Plan, planned.Milliseconds });
-    }
-    const auto mask = static_cast<int>(i);
-    this->Target.BeginMask(state, mask);
-    const bool inFloats = depth > VolumeCounter::GreatestStencilDepth &&
-      this->Target.BeginCounts(state, error);
-    inFloats ? this->Counter.BeginCountingInFloats(state)
-             : this->Counter.BeginCountingInStencil(state);
-    for (std::size_t j = 0; j < casters.size(); ++j)
-    {
-      this->CountVolume(volumes[j], lights[i], casters[j], worldToClip);
-    }
-    state->vtkglDisable(GL_SCISSOR_TEST);
-    this->Target.OpenMask(state, mask);
-    inFloats
-      ? this->Counter.WriteMaskOfFloats(state, this->Target.GetCounts(), this->TextureUnit)
-      : this->Counter.WriteMaskOfStencil(state);
-  }
-  this->Volumes.EndFrame(renderer);
-  return error;
-}
-
-vtkStencilShadowPass::Internals::PlannedVolume vtkStencilShadowPass::Internals::PlanVolume(
-  vtkRenderer* renderer, const ShadowPlan& plan, const ShadowLight& light,
-  const ShadowCaster& caster, const VolumeCache::Quality& quality)
-{
-  PlannedVolume planned;
-  if (!plan.IsSeen(light.Position, CornersOf(RoomyBounds(caster.Mesh), caster.ToWorld)))
-  {
-    planned.Plan.Decision = "skip";
-    planned.Plan.Reason = "its shadow does not come into view";
-    return planned;
-  }
-  const int made = this->Volumes.GetNumberMade();
-  const double start = vtkTimerLog::GetUniversalTime();
-  const VolumeBuffers& buffers = this->Volumes.Get(renderer, caster.Mesh,
-    caster.MoveIntoMesh(light.Position), quality, this->Counter.GetAttribute());
-  planned.Milliseconds = 1e3 * (vtkTimerLog::GetUniversalTime() - start);
-  if (buffers.IsEmpty())
-  {
-    planned.Plan.Decision = "skip";
-    planned.Plan.Reason = "it has no volume";
-    return planned;
-  }
-  planned.Buffers = &buffers;
-  planned.Plan = plan.Decide(light.Position, CornersOf(buffers.GetBounds(), caster.ToWorld));
-  planned.Plan.Decision +=
-    this->Volumes.GetNumberMade() == made ? ", volume of before" : ", new volume";
-  return planned;
-}
-
-void vtkStencilShadowPass::Internals::CountVolume(const PlannedVolume& volume,
-  const ShadowLight& light, const ShadowCaster& caster, const Matrix4& worldToClip)
-{
-  const std::array<int, 4>& scissor = volume.Plan.Scissor;
-  if (!volume.Buffers || scissor[2] <= 0 || scissor[3] <= 0)
-  {
-    return;
-  }
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(scissor[0], scissor[1], scissor[2], scissor[3]);
-  this->Counter.Count(state, *volume.Buffers,
-    { worldToClip * caster.ToWorld, caster.MoveIntoMesh(light.Position),
-      MovePlane(volume.Plan.End, caster.ToWorld) },
-    volume.Plan.ZPass);
 }
 
 vtkStencilShadowPass::vtkStencilShadowPass()
@@ -377,8 +145,6 @@ vtkStencilShadowPass::~vtkStencilShadowPass()
 
 void vtkStencilShadowPass::PrintSelf(ostream& os, vtkIndent indent)
 {
-  static const char* const kinds[] = { "Discrete", "Accurate", "Smooth" };
-  this->Superclass::PrintSelf(os, indent);
   os << indent << "DelegatePass: ";
   if (this->DelegatePass)
   {
@@ -389,13 +155,23 @@ void vtkStencilShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << "(none: as the renderer draws without a pass)\n";
   }
-  os << indent << "Kind: " << kinds[this->Kind] << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  static const char* const countings[] = { "Automatic", "Z-pass", "Z-fail" };
-  os << indent << "Counting: " << countings[this->Counting] << "\n";
-  os << indent << "SkipUnseenCasters: " << (this->SkipUnseenCasters ? "on" : "off") << "\n";
-  os << indent << "FiniteVolumes: " << (this->FiniteVolumes ? "on" : "off") << "\n";
-  os << indent << "Scissor: " << (this->Scissor ? "on" : "off") << "\n";
+  static const std::map<int, const char*> kinds = { { AUTOMATIC, "Automatic" },
+    { DISCRETE, "Discrete" }, { ACCURATE, "Accurate" }, { SMOOTH, "Smooth" } };
+  static const std::map<int, const char*> countings = { { AUTOMATIC, "Automatic" },
+    { Z_PASS, "Z-pass" }, { Z_FAIL, "Z-fail" } };
+  const auto printSwitch = [&](const char* name, bool on)
+  { os << indent << name << ": " << (on ? "on" : "off") << "\n"; };
+  os << indent << "Kind: " << kinds.at(this->Kind) << "\n";
+  os << indent << "PixelTolerance: " << this->PixelTolerance << "\n";
+  os << indent << "Counting: " << countings.at(this->Counting) << "\n";
+  printSwitch("SkipUnseenCasters", this->SkipUnseenCasters);
+  printSwitch("SkipCastersOutsideCones", this->SkipCastersOutsideCones);
+  printSwitch("SkipCastersWithoutReceivers", this->SkipCastersWithoutReceivers);
+  printSwitch("FiniteVolumes", this->FiniteVolumes);
+  printSwitch("Scissor", this->Scissor);
+  printSwitch("DepthBounds", this->DepthBounds);
+  printSwitch("ReuseUnchanged", this->ReuseUnchanged);
+  printSwitch("StepTiming", this->StepTiming);
   os << indent << "Masked lights in the last frame: " << this->Internal->MaskedLights.size()
      << "\n";
 }
@@ -418,15 +194,14 @@ void vtkStencilShadowPass::Render(const vtkRenderState* state)
   vtkRenderPass* delegate =
     this->DelegatePass ? this->DelegatePass : this->Internal->DefaultDelegate.Get();
   const bool masked = this->MakeMasks(state);
-  if (masked)
-  {
-    this->Internal->Shading = true;
-  }
+  const double start = vtkTimerLog::GetUniversalTime();
+  this->Internal->Shading = masked;
   delegate->Render(state);
   this->NumberOfRenderedProps = delegate->GetNumberOfRenderedProps();
   if (masked)
   {
     this->Internal->Shading = false;
+    this->Internal->Painter.AddStep({ -1, -1, "shading", "by the delegate" }, start);
     this->DropMasks(state);
   }
 }
@@ -457,9 +232,7 @@ bool vtkStencilShadowPass::MakeMasks(const vtkRenderState* state)
   vtkOpenGLState* glState = window->GetState();
   const RestoredState restored(glState);
   std::string error;
-  if (!internal.Target.Allocate(
-        glState, size[0], size[1], static_cast<int>(lights.size()), error) ||
-    !internal.Counter.Prepare(window, error))
+  if (!internal.Painter.Prepare(window, size, static_cast<int>(lights.size()), error))
   {
     this->WarnOnce("No shadows in this window: " + error);
     return false;
@@ -471,33 +244,59 @@ bool vtkStencilShadowPass::MakeMasks(const vtkRenderState* state)
     return false;
   }
   internal.SetLights(lights);
-  internal.Target.BindMasks(glState, internal.TextureUnit);
+  internal.Painter.GetTarget().BindMasks(glState, internal.TextureUnit);
   JoinProps(state, this);
 
-  internal.Target.BeginDepth(glState);
-  glState->vtkglEnable(GL_DEPTH_TEST);
-  glState->vtkglDepthFunc(GL_LEQUAL);
-  glState->vtkglDisable(GL_BLEND);
-  {
-    const LoneRenderPass lone(state, this);
-    std::vector<vtkProp*> props = FindOccluders(state);
-    vtkRenderState occluders(renderer);
-    occluders.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
-    occluders.SetFrameBuffer(state->GetFrameBuffer());
-    occluders.SetRequiredKeys(state->GetRequiredKeys());
-    internal.DepthPass->Render(&occluders);
-  }
-
-  const std::string tooFewBits =
-    internal.DrawMasks(renderer, lights, { this->Kind, this->Tolerance },
-      { static_cast<CountingMethod>(this->Counting), this->SkipUnseenCasters, this->FiniteVolumes,
-        this->Scissor });
+  std::vector<vtkProp*> occluders = FindOccluders(state);
+  internal.Painter.BeginFrame(
+    renderer, lights, RecordOccluders(occluders), this->GetMaskSettings(), this->GetMTime());
+  this->DrawDepth(state, occluders);
+  const std::string tooFewBits = internal.Painter.Paint(renderer, internal.TextureUnit);
   if (!tooFewBits.empty())
   {
     this->WarnOnce("256 shadow volumes around a point count as none, as floats cannot be drawn: " +
       tooFewBits);
   }
   return true;
+}
+
+MaskSettings vtkStencilShadowPass::GetMaskSettings() const
+{
+  ShadowRules rules;
+  rules.Counting = this->Counting == Z_PASS ? CountingMethod::ZPass
+    : this->Counting == Z_FAIL              ? CountingMethod::ZFail
+                                            : CountingMethod::Automatic;
+  rules.SkipUnseen = this->SkipUnseenCasters;
+  rules.SkipOutsideCones = this->SkipCastersOutsideCones;
+  rules.SkipWithoutReceivers = this->SkipCastersWithoutReceivers;
+  rules.FiniteVolumes = this->FiniteVolumes;
+  rules.Scissor = this->Scissor;
+  rules.DepthBounds = this->DepthBounds;
+  return { this->Kind, this->PixelTolerance, rules, this->ReuseUnchanged, this->StepTiming };
+}
+
+void vtkStencilShadowPass::DrawDepth(const vtkRenderState* state, std::vector<vtkProp*>& occluders)
+{
+  Internals& internal = *this->Internal;
+  const double start = vtkTimerLog::GetUniversalTime();
+  if (!internal.Painter.NeedsDepth())
+  {
+    internal.Painter.AddStep(
+      { -1, -1, "depth of before", "neither the camera nor what it sees has changed" }, start);
+    return;
+  }
+  vtkOpenGLState* glState = internal.Window->GetState();
+  internal.Painter.GetTarget().BeginDepth(glState);
+  glState->vtkglEnable(GL_DEPTH_TEST);
+  glState->vtkglDepthFunc(GL_LEQUAL);
+  glState->vtkglDisable(GL_BLEND);
+  const LoneRenderPass lone(state, this);
+  vtkRenderState opaque(state->GetRenderer());
+  opaque.SetPropArrayAndCount(occluders.data(), static_cast<int>(occluders.size()));
+  opaque.SetFrameBuffer(state->GetFrameBuffer());
+  opaque.SetRequiredKeys(state->GetRequiredKeys());
+  internal.DepthPass->Render(&opaque);
+  internal.Painter.AddStep({ -1, -1, "depth drawn", "something has changed" }, start);
 }
 
 void vtkStencilShadowPass::DropMasks(const vtkRenderState* state)
@@ -534,7 +333,7 @@ vtkImageData* vtkStencilShadowPass::GetMask(vtkLight* light)
   internal.Window->MakeCurrent();
   const auto mask = static_cast<int>(found - internal.MaskedLights.begin());
   const vtkSmartPointer<vtkImageData> image =
-    internal.Target.ReadMask(internal.Window->GetState(), mask);
+    internal.Painter.GetTarget().ReadMask(internal.Window->GetState(), mask);
   if (image)
   {
     image->Register(nullptr);
@@ -544,36 +343,15 @@ vtkImageData* vtkStencilShadowPass::GetMask(vtkLight* light)
 
 vtkTable* vtkStencilShadowPass::GetPlan()
 {
-  vtkNew<vtkIntArray> lights;
-  lights->SetName("Light");
-  vtkNew<vtkIntArray> casters;
-  casters->SetName("Caster");
-  vtkNew<vtkStringArray> decisions;
-  decisions->SetName("Decision");
-  vtkNew<vtkStringArray> reasons;
-  reasons->SetName("Reason");
-  vtkNew<vtkDoubleArray> milliseconds;
-  milliseconds->SetName("Milliseconds");
-  for (const Internals::PlanRow& row : this->Internal->Plan)
-  {
-    lights->InsertNextValue(static_cast<int>(row.Light));
-    casters->InsertNextValue(static_cast<int>(row.Caster));
-    decisions->InsertNextValue(row.Plan.Decision);
-    reasons->InsertNextValue(row.Plan.Reason);
-    milliseconds->InsertNextValue(row.Milliseconds);
-  }
-  vtkTable* table = vtkTable::New();
-  table->AddColumn(lights);
-  table->AddColumn(casters);
-  table->AddColumn(decisions);
-  table->AddColumn(reasons);
-  table->AddColumn(milliseconds);
+  const vtkSmartPointer<vtkTable> table = MakePlanTable(this->Internal->Painter.GetPlan());
+  table->Register(nullptr);
   return table;
 }
 
 int vtkStencilShadowPass::GetNumberOfVolumesMade()
 {
-  return this->Internal->MaskedLights.empty() ? 0 : this->Internal->Volumes.GetNumberMade();
+  return this->Internal->MaskedLights.empty() ? 0
+                                              : this->Internal->Painter.GetNumberOfVolumesMade();
 }
 
 void vtkStencilShadowPass::ReleaseGraphicsResources(vtkWindow* window)
@@ -613,15 +391,15 @@ bool vtkStencilShadowPass::SetShaderParameters(
   }
   // Behind a translucent surface there is another one, which the mask belongs to.
   const bool masked =
-    internal.Shading && !prop->IsRenderingTranslucentPolygonalGeometry() && Receives(prop);
+    internal.Shading && !prop->IsRenderingTranslucentPolygonalGeometry() && MayReceive(prop);
 
   // Passes in between may draw elsewhere, and at another resolution, than the one around.
   int viewport[4];
   internal.Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   const float origin[2] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]) };
-  const float scale[2] = { static_cast<float>(internal.Target.GetWidth()) /
-      static_cast<float>(viewport[2]),
-    static_cast<float>(internal.Target.GetHeight()) / static_cast<float>(viewport[3]) };
+  const ShadowFramebuffer& target = internal.Painter.GetTarget();
+  const float scale[2] = { static_cast<float>(target.GetWidth()) / static_cast<float>(viewport[2]),
+    static_cast<float>(target.GetHeight()) / static_cast<float>(viewport[3]) };
   return program->SetUniformi("stencilShadowMasks", internal.TextureUnit) &&
     program->SetUniformi("stencilShadowMasked", masked ? 1 : 0) &&
     program->SetUniform2f("stencilShadowOrigin", origin) &&

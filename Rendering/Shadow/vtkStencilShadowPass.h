@@ -57,11 +57,13 @@
 
 #include <memory> // For the implementation
 #include <string> // For shader hooks
+#include <vector> // For the props
 
 class vtkImageData;
 class vtkInformationIntegerKey;
 class vtkLight;
 class vtkTable;
+struct MaskSettings;
 
 class VTKRENDERINGSHADOW_EXPORT vtkStencilShadowPass : public vtkOpenGLRenderPass
 {
@@ -70,11 +72,25 @@ public:
   vtkTypeMacro(vtkStencilShadowPass, vtkOpenGLRenderPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Left to the pass: the value of every choice that it can make itself.
+   */
+  enum Choice
+  {
+    AUTOMATIC = -1
+  };
+
   enum SilhouetteKind
   {
     DISCRETE = 0,
     ACCURATE = 1,
     SMOOTH = 2
+  };
+
+  enum CountingMethods
+  {
+    Z_PASS = 0,
+    Z_FAIL = 1
   };
 
   ///@{
@@ -89,10 +105,13 @@ public:
 
   ///@{
   /**
-   * Kind of silhouettes, as in vtkSmoothLightSilhouette. Default SMOOTH.
+   * Kind of silhouettes, as in vtkSmoothLightSilhouette. AUTOMATIC (the default) takes for each light
+   * and caster DISCRETE, which is the fastest, if its error is within PixelTolerance, else SMOOTH: the
+   * error is told from how far the mesh's edges are from the smooth surface's.
    */
-  vtkSetClampMacro(Kind, int, DISCRETE, SMOOTH);
+  vtkSetClampMacro(Kind, int, AUTOMATIC, SMOOTH);
   vtkGetMacro(Kind, int);
+  void SetKindToAutomatic() { this->SetKind(AUTOMATIC); }
   void SetKindToDiscrete() { this->SetKind(DISCRETE); }
   void SetKindToAccurate() { this->SetKind(ACCURATE); }
   void SetKindToSmooth() { this->SetKind(SMOOTH); }
@@ -100,18 +119,16 @@ public:
 
   ///@{
   /**
-   * Tolerance of SMOOTH silhouettes as a share of the caster's diagonal. Default 1e-4.
+   * By how many pixels a shadow's edge may be off that of the smooth surface, from where the camera
+   * is. From it come the choice of AUTOMATIC and the tolerance of SMOOTH silhouettes: the pixel's size
+   * where the shadow falls, made smaller by as much as the light enlarges the caster there, rounded
+   * down to a power of two, so that a moving camera keeps most of its volumes, and at least 1e-6 of
+   * the caster's diagonal. It is measured across the light's rays: on a surface that these only graze,
+   * edges move by more. Default 0.5.
    */
-  vtkSetClampMacro(Tolerance, double, 1e-12, 1.0);
-  vtkGetMacro(Tolerance, double);
+  vtkSetClampMacro(PixelTolerance, double, 1e-6, 1e6);
+  vtkGetMacro(PixelTolerance, double);
   ///@}
-
-  enum CountingMethods
-  {
-    AUTOMATIC = 0,
-    Z_PASS = 1,
-    Z_FAIL = 2
-  };
 
   ///@{
   /**
@@ -139,6 +156,24 @@ public:
 
   ///@{
   /**
+   * Nor are those that are outside of a spot light's cone.
+   */
+  vtkSetMacro(SkipCastersOutsideCones, bool);
+  vtkGetMacro(SkipCastersOutsideCones, bool);
+  vtkBooleanMacro(SkipCastersOutsideCones, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Nor those in whose shadow nothing lies that shows one.
+   */
+  vtkSetMacro(SkipCastersWithoutReceivers, bool);
+  vtkGetMacro(SkipCastersWithoutReceivers, bool);
+  vtkBooleanMacro(SkipCastersWithoutReceivers, bool);
+  ///@}
+
+  ///@{
+  /**
    * Volumes end behind the bounds of all visible props, as far as all of their rays come there,
    * instead of at infinity. A visible prop with UseBounds off keeps all of them infinite.
    */
@@ -156,10 +191,45 @@ public:
   vtkBooleanMacro(Scissor, bool);
   ///@}
 
+  ///@{
   /**
-   * What was done in the last frame for each light and caster, a row each: `Light` (number of the mask),
-   * `Caster` (number among those that cast, both from 0), `Decision`, `Reason` and `Milliseconds` that
-   * its volume took to make. New table, to be deleted by the caller.
+   * Volumes are drawn only over pixels whose depth is within theirs, where the driver has
+   * GL_EXT_depth_bounds_test.
+   */
+  vtkSetMacro(DepthBounds, bool);
+  vtkGetMacro(DepthBounds, bool);
+  vtkBooleanMacro(DepthBounds, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Depths of the last frame are used again if neither the camera nor anything opaque has changed, and
+   * masks if no light and no caster has, either. Changes are seen by the objects' times. Props other
+   * than actors and assemblies of them, and actors of classes of their own (vtkLODActor), may draw
+   * something else without a word: with such in view everything is drawn anew, as it is with a shader
+   * whose uniforms an observer sets.
+   */
+  vtkSetMacro(ReuseUnchanged, bool);
+  vtkGetMacro(ReuseUnchanged, bool);
+  vtkBooleanMacro(ReuseUnchanged, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the graphics card is waited for after each step, so that the plan's times are true. It
+   * costs time itself. Default off: the times are what the CPU took.
+   */
+  vtkSetMacro(StepTiming, bool);
+  vtkGetMacro(StepTiming, bool);
+  vtkBooleanMacro(StepTiming, bool);
+  ///@}
+
+  /**
+   * What was done in the last frame, a row each: `Light` (number of the mask), `Caster` (number among
+   * those that cast, both from 0), `Decision`, `Reason` and `Milliseconds`. A row with a light and a
+   * caster is about its volume, and took the time to make and upload that; with a light alone, about
+   * counting all its volumes; with neither, about depths and shading. New table, to be deleted by the
+   * caller.
    */
   VTK_NEWINSTANCE vtkTable* GetPlan();
 
@@ -225,16 +295,23 @@ private:
    * being selected, or OpenGL cannot.
    */
   bool MakeMasks(const vtkRenderState* state);
+  void DrawDepth(const vtkRenderState* state, std::vector<vtkProp*>& occluders);
+  MaskSettings GetMaskSettings() const;
   void DropMasks(const vtkRenderState* state);
   void WarnOnce(const std::string& reason);
 
   vtkRenderPass* DelegatePass = nullptr;
-  int Kind = SMOOTH;
-  double Tolerance = 1e-4;
+  int Kind = AUTOMATIC;
+  double PixelTolerance = 0.5;
   int Counting = AUTOMATIC;
   bool SkipUnseenCasters = true;
+  bool SkipCastersOutsideCones = true;
+  bool SkipCastersWithoutReceivers = true;
   bool FiniteVolumes = true;
   bool Scissor = true;
+  bool DepthBounds = true;
+  bool ReuseUnchanged = true;
+  bool StepTiming = false;
 
   class Internals;
   std::unique_ptr<Internals> Internal;

@@ -85,18 +85,34 @@ class GoodRuns(ToolTest):
         common = (BUNNY, "out.png", "--ground", "--size", "240x180")
         shadowed = {}
         for counting, expected in (("auto", "z-pass"), ("zpass", "z-pass"), ("zfail", "z-fail")):
-            statistics, _ = self.render(*common, "--counting", counting)
-            self.assertEqual([row["caster"] for row in statistics["plan"]], [0])
-            self.assertTrue(statistics["plan"][0]["decision"].startswith(expected))
-            self.assertTrue(statistics["plan"][0]["reason"])
+            statistics, _ = self.render(*common, "--counting", counting, "--plan")
+            row, = [row for row in statistics["plan"] if row["caster"] == 0]
+            self.assertTrue(row["decision"].startswith(expected))
+            self.assertTrue(row["reason"])
             shadowed[counting] = statistics["lights"][0]["shadowedPixels"]
         # The eye is in the light here: both are right, up to pixels on an edge.
         self.assertEqual(shadowed["auto"], shadowed["zpass"])
         self.assertLess(abs(shadowed["auto"] - shadowed["zfail"]), 0.01 * shadowed["zfail"])
         text = self.succeed("render", BUNNY, "-o", "out.png", "--ground", "--size", "240x180", "--plan")
-        self.assertRegex(text, r"\Alight 0, caster 0: z-pass, .+; .+ ms\n")
+        self.assertRegex(text, r"\Aframe: depth drawn; .+ ms\n"
+                         r"light 0, caster 0: z-pass, .+; .+ ms\n"
+                         r"light 0: .+; .+ ms\nframe: shading; .+ ms\n")
+        statistics, _ = self.render(*common)
+        self.assertIn("mask of before", [row["decision"] for row in statistics["plan"]])
         self.assertIn("--counting", self.fail_with(
             2, "render", BUNNY, "-o", "out.png", "--counting", "sometimes"))
+
+    def test_pixel_tolerance(self):
+        decisions = {}
+        for tolerance in ("0.001", "100"):
+            statistics, _ = self.render(BUNNY, "out.png", "--ground", "--size", "240x180", "--plan",
+                                        "--pixel-tolerance", tolerance)
+            decisions[tolerance], = [
+                row["decision"] for row in statistics["plan"] if row["caster"] == 0]
+        self.assertIn("smooth", decisions["0.001"])
+        self.assertIn("discrete", decisions["100"])
+        self.assertIn("--pixel-tolerance", self.fail_with(
+            2, "render", BUNNY, "-o", "out.png", "--pixel-tolerance", "0"))
 
     def check_statistics(self, statistics, kind):
         self.assertEqual(statistics["kind"], kind)

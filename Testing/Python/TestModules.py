@@ -31,7 +31,7 @@ class Modules(unittest.TestCase):
         silhouette.SetKindToDiscrete()
         self.assertEqual(silhouette.GetKind(), vtkSmoothLightSilhouette.DISCRETE)
         shadows = vtkStencilShadowPass()
-        self.assertEqual(shadows.GetKind(), vtkStencilShadowPass.SMOOTH)
+        self.assertEqual(shadows.GetKind(), vtkStencilShadowPass.AUTOMATIC)
         for thing in (silhouette, shadows, vtkShadowVolumeExtruder(), vtkShadowMeshCheck()):
             self.assertIn(thing.GetClassName(), str(thing))
 

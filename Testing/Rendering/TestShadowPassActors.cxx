@@ -71,8 +71,13 @@ TEST(StencilShadowPass, Keys)
   SetKey(caster, vtkStencilShadowPass::CASTS_SHADOW(), 1);
   SetKey(caster, vtkStencilShadowPass::RECEIVES_SHADOW(), 0);
   SetKey(scene.Ground, vtkStencilShadowPass::RECEIVES_SHADOW(), 0);
+  scene.Pass->SkipCastersWithoutReceiversOff();
   window->Render();
   EXPECT_EQ(Differences(scene.Mask(light), mask), 0);
+  EXPECT_EQ(Differences(Grab(window), plain), 0);
+  scene.Pass->SkipCastersWithoutReceiversOn();
+  window->Render();
+  EXPECT_EQ(blackFraction(scene.Mask(light)), 0.0);
   EXPECT_EQ(Differences(Grab(window), plain), 0);
 
   SetKey(caster, vtkStencilShadowPass::RECEIVES_SHADOW(), 1);
@@ -206,6 +211,7 @@ TEST(StencilShadowPass, PartsOfAssemblies)
   EXPECT_GT(Differences(Grab(window), plain), 1000);
   SetKey(base, vtkStencilShadowPass::RECEIVES_SHADOW(), 0);
   SetKey(assembly, vtkStencilShadowPass::RECEIVES_SHADOW(), 0);
+  scene.Pass->SkipCastersWithoutReceiversOff();
   window->Render();
   EXPECT_GT(blackFraction(scene.Mask(light)), 0.02);
   EXPECT_EQ(Differences(Grab(window), plain), 0);

@@ -1,255 +1,277 @@
 // The plan of a frame, rule by rule, without OpenGL; and that no rule changes what is seen.
 
-#include "Random.h"
+#include "PlanScene.h"
 #include "ShadowPlan.h"
-#include "ShadowScene.h"
-#include "TestMeshes.h"
+#include "SilhouetteChoice.h"
 #include "Tolerances.h"
 
-#include <vtkCamera.h>
 #include <vtkMath.h>
-#include <vtkNew.h>
-#include <vtkStringArray.h>
-#include <vtkTable.h>
 
 #include <gtest/gtest.h>
 
-#include <functional>
+#include <cmath>
+#include <limits>
 #include <string>
 
 namespace
 {
 using namespace shadowtest;
 
-constexpr std::array<double, 6> Room = { -4.0, 4.0, -4.0, 4.0, 0.0, 4.0 };
+const std::array<double, 6> Room = { -4.0, 4.0, -4.0, 4.0, 0.0, 4.0 };
+const PlanReceivers InRoom = { { Room }, true, Room };
 
-ShadowView viewFrom(const Point3& eye, const Point3& at, double nearPlane = 0.5)
+ShadowView ahead()
 {
-  vtkNew<vtkCamera> camera;
-  camera->SetPosition(eye.data());
-  camera->SetFocalPoint(at.data());
-  camera->SetViewUp(0.0, 0.1, 1.0);
-  camera->SetClippingRange(nearPlane, 40.0);
-  return { ToMatrix4(camera->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0)), 200, 200 };
+  return viewFrom({ 0.0, -6.0, 1.0 }, { 0.0, 0.0, 1.0 });
 }
 
-BoxCorners boxAround(const Point3& middle, double half)
+const PlanLight Above = { { 0.0, 0.0, 1.0, 0.0 } };
+
+PlanLight lampAt(const Point3& place)
 {
-  Matrix4 toWorld{};
-  vtkMatrix4x4::Identity(toWorld.data());
-  return CornersOf({ middle[0] - half, middle[0] + half, middle[1] - half, middle[1] + half,
-                     middle[2] - half, middle[2] + half },
-    toWorld);
+  return { { place[0], place[1], place[2], 1.0 } };
 }
 
-const Point4 Above = { 0.0, 0.0, 1.0, 0.0 };
+PlanLight spotAt(const Point3& place, double coneAngle)
+{
+  return { { place[0], place[1], place[2], 1.0 }, { 0.0, 0.0, -1.0 }, coneAngle };
+}
+
+void expectSkip(const CasterPlan& plan, const std::string& reason)
+{
+  EXPECT_TRUE(plan.Skip);
+  EXPECT_EQ(plan.Decision, "skip");
+  EXPECT_EQ(plan.Reason, reason);
+}
 }
 
 TEST(ShadowPlan, ShadowsOutOfViewAreSkipped)
 {
-  const ShadowView view = viewFrom({ 0.0, -6.0, 1.0 }, { 0.0, 0.0, 1.0 });
-  const ShadowPlan plan(view, Room, {});
-  EXPECT_TRUE(plan.IsSeen(Above, boxAround({ 0.0, 0.0, 1.0 }, 0.5)));
+  const ShadowPlan plan(ahead(), InRoom, {});
+  EXPECT_FALSE(plan.Decide(Above, boxAround({ 0.0, 0.0, 1.0 }, 0.5)).Skip);
   // Behind the eye: its shadow comes into view only from a light behind it.
   const BoxCorners behind = boxAround({ 0.0, -9.0, 1.0 }, 0.5);
-  EXPECT_FALSE(plan.IsSeen(Above, behind));
-  EXPECT_TRUE(plan.IsSeen({ 0.0, -1.0, 0.05, 0.0 }, behind));
-  EXPECT_FALSE(plan.IsSeen({ 0.0, 1.0, 0.05, 0.0 }, behind));
+  ShadowRules rules;
+  rules.SkipWithoutReceivers = false;
+  const ShadowPlan unseen(ahead(), InRoom, rules);
+  expectSkip(unseen.Decide(Above, behind), "its shadow does not come into view");
+  EXPECT_FALSE(unseen.Decide({ { 0.0, -1.0, 0.05, 0.0 } }, behind).Skip);
+  expectSkip(unseen.Decide({ { 0.0, 1.0, 0.05, 0.0 } }, behind),
+    "its shadow does not come into view");
   // Above the view, with the shadow falling into it.
-  EXPECT_TRUE(plan.IsSeen(Above, boxAround({ 0.0, 0.0, 9.0 }, 0.5)));
+  EXPECT_FALSE(plan.Decide(Above, boxAround({ 0.0, 0.0, 9.0 }, 0.5)).Skip);
 
-  ShadowRules all;
-  all.SkipUnseen = false;
-  EXPECT_TRUE(ShadowPlan(view, Room, all).IsSeen(Above, behind));
+  rules.SkipUnseen = false;
+  EXPECT_FALSE(ShadowPlan(ahead(), InRoom, rules).Decide(Above, behind).Skip);
+}
+
+TEST(ShadowPlan, CastersOutsideOfTheConeAreSkipped)
+{
+  const ShadowPlan plan(ahead(), InRoom, {});
+  const Point3 lamp = { 0.0, 0.0, 4.0 };
+  const BoxCorners beside = boxAround({ 2.0, 0.0, 1.0 }, 0.5);
+  const char* reason = "it is outside of the light's cone";
+  // Its nearest point is (1.5, 0, 0.5): at 23.2 degrees from the axis.
+  expectSkip(plan.Decide(spotAt(lamp, 23.0), beside), reason);
+  EXPECT_FALSE(plan.Decide(spotAt(lamp, 23.4), beside).Skip);
+  // The cone within a face, the light in the box, and behind the light.
+  EXPECT_FALSE(plan.Decide(spotAt(lamp, 1.0), boxAround({ 0.0, 0.0, 1.0 }, 0.5)).Skip);
+  EXPECT_FALSE(plan.Decide(spotAt(lamp, 1.0), boxAround({ 0.1, 0.2, 4.1 }, 0.5)).Skip);
+  expectSkip(plan.Decide(spotAt({ 0.0, 0.0, 0.3 }, 80.0), boxAround({ 0.0, 0.0, 1.0 }, 0.5)),
+    reason);
+  // No cone.
+  EXPECT_FALSE(plan.Decide(spotAt(lamp, 90.0), beside).Skip);
+  PlanLight direction = spotAt({ 0.0, 0.0, 1.0 }, 1.0);
+  direction.Position[3] = 0.0;
+  EXPECT_FALSE(plan.Decide(direction, beside).Skip);
+
+  ShadowRules rules;
+  rules.SkipOutsideCones = false;
+  EXPECT_FALSE(ShadowPlan(ahead(), InRoom, rules).Decide(spotAt(lamp, 23.0), beside).Skip);
+}
+
+TEST(ShadowPlan, CastersBeforeNothingAreSkipped)
+{
+  const BoxCorners caster = boxAround({ 0.0, 0.0, 1.0 }, 0.5);
+  const char* reason = "nothing behind it receives";
+  const auto decide = [&](const std::array<double, 6>& receiver, const PlanLight& light)
+  { return ShadowPlan(ahead(), { { receiver }, true, Room }, {}).Decide(light, caster); };
+  const auto floorAt = [](double x) {
+    return std::array<double, 6>{ x - 0.5, x + 0.5, -0.5, 0.5, 0.0, 0.0 };
+  };
+  EXPECT_FALSE(decide(floorAt(0.0), Above).Skip);
+  EXPECT_FALSE(decide(floorAt(1.0), Above).Skip); // they touch
+  expectSkip(decide(floorAt(1.1), Above), reason);
+  // A shadow that spreads, and is lowest at x = 1 / 1 * 0.5 below the box's upper edges.
+  EXPECT_FALSE(decide(floorAt(1.1), lampAt({ 0.0, 0.0, 3.0 })).Skip);
+  EXPECT_FALSE(decide(floorAt(1.4), lampAt({ 0.0, 0.0, 3.0 })).Skip);
+  expectSkip(decide(floorAt(1.6), lampAt({ 0.0, 0.0, 3.0 })), reason);
+  // On the light's side: over the box, and beside it in its own height.
+  expectSkip(decide(boundsAround({ 0.0, 0.0, 2.1 }, 0.5), lampAt({ 0.0, 0.0, 5.0 })), reason);
+  expectSkip(decide(boundsAround({ 1.1, 0.0, 1.0 }, 0.5), Above), reason);
+  // Only an edge of the box shows that a slanting shadow passes it.
+  expectSkip(decide(boundsAround({ 1.4, 0.0, 1.1 }, 0.3), { { 1.0, 0.0, 1.0, 0.0 } }), reason);
+  // The light in the box, and next to it.
+  EXPECT_FALSE(decide(floorAt(30.0), lampAt({ 0.0, 0.0, 1.4 })).Skip);
+  EXPECT_FALSE(decide(floorAt(3.0), lampAt({ 0.0, 0.0, 1.51 })).Skip);
+
+  EXPECT_TRUE(ShadowPlan(ahead(), { {}, true, Room }, {}).Decide(Above, caster).Skip);
+  EXPECT_FALSE(ShadowPlan(ahead(), { {}, false, Room }, {}).Decide(Above, caster).Skip);
+  ShadowRules rules;
+  rules.SkipWithoutReceivers = false;
+  EXPECT_FALSE(ShadowPlan(ahead(), { {}, true, Room }, rules).Decide(Above, caster).Skip);
 }
 
 TEST(ShadowPlan, ZFailWhereTheNearPlaneMayBeInShadow)
 {
-  const ShadowPlan plan(viewFrom({ 0.0, -6.0, 1.0 }, { 0.0, 0.0, 1.0 }), Room, {});
+  const ShadowPlan plan(ahead(), InRoom, {});
   EXPECT_TRUE(plan.Decide(Above, boxAround({ 0.0, 0.0, 1.0 }, 0.5)).ZPass);
   // Over the eye, and around it.
-  EXPECT_FALSE(plan.Decide(Above, boxAround({ 0.0, -5.5, 3.0 }, 0.5)).ZPass);
-  EXPECT_FALSE(plan.Decide(Above, boxAround({ 0.0, -5.5, 1.0 }, 0.5)).ZPass);
+  ShadowRules rules;
+  rules.SkipWithoutReceivers = false;
+  const ShadowPlan over(ahead(), InRoom, rules);
+  EXPECT_FALSE(over.Decide(Above, boxAround({ 0.0, -5.5, 3.0 }, 0.5)).ZPass);
+  EXPECT_FALSE(over.Decide(Above, boxAround({ 0.0, -5.5, 1.0 }, 0.5)).ZPass);
   // A lamp before or behind what is over the eye.
-  EXPECT_FALSE(plan.Decide({ 0.0, -5.5, 5.0, 1.0 }, boxAround({ 0.0, -5.5, 3.0 }, 0.5)).ZPass);
-  EXPECT_TRUE(plan.Decide({ 0.0, -5.5, 2.0, 1.0 }, boxAround({ 0.0, -5.5, 3.0 }, 0.5)).ZPass);
+  rules.SkipUnseen = false;
+  const ShadowPlan all(ahead(), InRoom, rules);
+  EXPECT_FALSE(all.Decide(lampAt({ 0.0, -5.5, 5.0 }), boxAround({ 0.0, -5.5, 3.0 }, 0.5)).ZPass);
+  EXPECT_TRUE(all.Decide(lampAt({ 0.0, -5.5, 2.0 }), boxAround({ 0.0, -5.5, 3.0 }, 0.5)).ZPass);
 }
 
 TEST(ShadowPlan, VolumesEndBehindTheReceiversIfTheirRaysComeThere)
 {
-  const ShadowView view = viewFrom({ 0.0, -6.0, 1.0 }, { 0.0, 0.0, 1.0 });
-  const ShadowPlan plan(view, Room, {});
-  const CasterPlan down = plan.Decide(Above, boxAround({ 0.0, 0.0, 1.0 }, 0.5));
+  const BoxCorners box = boxAround({ 0.0, 0.0, 1.0 }, 0.5);
+  const ShadowPlan plan(ahead(), InRoom, {});
+  const CasterPlan down = plan.Decide(Above, box);
   EXPECT_EQ(down.End[0], 0.0);
   EXPECT_EQ(down.End[1], 0.0);
   EXPECT_GT(down.End[2], 0.0);
   EXPECT_GT(down.End[3], 0.0);
   EXPECT_NE(down.Decision.find("behind the receivers"), std::string::npos);
   // From within a caster rays go all ways.
-  EXPECT_EQ(plan.Decide({ 0.0, 0.0, 1.0, 1.0 }, boxAround({ 0.0, 0.0, 1.0 }, 0.5)).End, Point4{});
+  EXPECT_EQ(plan.Decide(lampAt({ 0.0, 0.0, 1.0 }), box).End, Point4{});
 
   ShadowRules infinite;
   infinite.FiniteVolumes = false;
-  EXPECT_EQ(
-    ShadowPlan(view, Room, infinite).Decide(Above, boxAround({ 0.0, 0.0, 1.0 }, 0.5)).End, Point4{});
-  const std::array<double, 6> unbounded = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-  EXPECT_EQ(
-    ShadowPlan(view, unbounded, {}).Decide(Above, boxAround({ 0.0, 0.0, 1.0 }, 0.5)).End, Point4{});
+  EXPECT_EQ(ShadowPlan(ahead(), InRoom, infinite).Decide(Above, box).End, Point4{});
+  const PlanReceivers unbounded = { { Room }, false, Room };
+  EXPECT_EQ(ShadowPlan(ahead(), unbounded, {}).Decide(Above, box).End, Point4{});
 }
 
-namespace
+TEST(ShadowPlan, DepthsAreThoseOfTheVolume)
 {
-Point3 mix(const Point3& a, const Point3& b, double t)
-{
-  return a + t * (b - a);
+  // Distances 5.5 to 6.5 of 0.5 to 40: its shadow goes down, across the view.
+  const BoxCorners box = boxAround({ 0.0, 0.0, 1.0 }, 0.5);
+  const auto depthAt = [](double distance)
+  { return 40.0 / 39.5 * (1.0 - 0.5 / distance); };
+  const CasterPlan down = ShadowPlan(ahead(), InRoom, {}).Decide(Above, box);
+  EXPECT_NEAR(down.DepthRange[0], depthAt(5.5), tolerance::DepthMargin);
+  EXPECT_NEAR(down.DepthRange[1], depthAt(6.5), tolerance::DepthMargin);
+  // With room for the steps by which walls and caps are drawn off their places, on top of the
+  // roundings of single precision (some 9 steps here, where depth is (1 + z) / 2).
+  ShadowView flat{ {}, 200, 200 };
+  vtkMatrix4x4::Identity(flat.WorldToClip.data());
+  const CasterPlan roomy = ShadowPlan(flat, { {}, false, Room }, {})
+                             .Decide({ { 0.0, 1.0, 0.0, 0.0 } }, boxAround({ 0.0, 0.0, 0.0 }, 0.1));
+  EXPECT_LT(roomy.DepthRange[0], 0.45 - 16.0 * 0x1p-24);
+  EXPECT_GT(roomy.DepthRange[1], 0.55 + 16.0 * 0x1p-24);
+  // To the eye, and beyond it: from the near plane on.
+  const PlanLight behind = { { 0.0, 1.0, 0.0, 0.0 } };
+  const CasterPlan toEye = ShadowPlan(ahead(), { { Room }, false, Room }, {}).Decide(behind, box);
+  EXPECT_EQ(toEye.DepthRange[0], 0.0);
+  EXPECT_NEAR(toEye.DepthRange[1], depthAt(6.5), tolerance::DepthMargin);
+  ShadowRules rules;
+  rules.DepthBounds = false;
+  const std::array<double, 2> all = { 0.0, 1.0 };
+  EXPECT_EQ(ShadowPlan(ahead(), InRoom, rules).Decide(Above, box).DepthRange, all);
 }
 
-Point3 inBox(const BoxCorners& box, Random& random)
+TEST(ShadowPlan, PixelsGrowWithDistanceAndShrinkWithMagnification)
 {
-  const double t[3] = { random.uniform(), random.uniform(), random.uniform() };
-  const Point3 low = mix(mix(box[0], box[1], t[0]), mix(box[2], box[3], t[0]), t[1]);
-  const Point3 high = mix(mix(box[4], box[5], t[0]), mix(box[6], box[7], t[0]), t[1]);
-  return mix(low, high, t[2]);
-}
-}
+  const BoxCorners box = boxAround({ 0.0, 0.0, 1.0 }, 0.5);
+  // A pixel is 2 tan(15 degrees) / 200 of the distance wide, and a little less at the corners.
+  const double footprint = 2.0 * std::tan(vtkMath::RadiansFromDegrees(15.0)) / 200.0;
+  const ShadowPlan plan(ahead(), InRoom, {});
+  const double across = plan.Decide(Above, box).Pixel;
+  EXPECT_LT(across, 5.5 * footprint);
+  EXPECT_GT(across, 0.9 * 5.5 * footprint);
+  // From 0.5 above the box the shadow on the plane 0.06 below the floor is 3.2 times as large.
+  const double magnified = plan.Decide(lampAt({ 0.0, 0.0, 2.0 }), box).Pixel;
+  EXPECT_LT(magnified, across / 3.0);
+  EXPECT_GT(magnified, across / 6.0);
+  // Around the eye the near plane limits it, in the box or not.
+  const double around = plan.Decide(Above, boxAround({ 0.0, -5.0, 1.0 }, 3.0)).Pixel;
+  EXPECT_LT(around, 0.5 * footprint);
+  EXPECT_GT(around, 0.9 * 0.5 * footprint);
+  // The same everywhere without perspective, 6 in 200 pixels.
+  const ShadowView parallel = viewFrom({ 0.0, -6.0, 1.0 }, { 0.0, 0.0, 1.0 }, 0.5, true);
+  EXPECT_NEAR(ShadowPlan(parallel, InRoom, {}).Decide(Above, box).Pixel, 0.03,
+    tolerance::SamePoint);
+  // The light in the box: as fine as volumes are drawn.
+  EXPECT_GT(plan.Decide(lampAt({ 0.0, 0.0, 1.0 }), box).Pixel, 0.0);
 
-// Whatever is decided, points of the volume are where the plan says that they can be.
-TEST(ShadowPlan, RandomScenesKeepWhatThePlanSays)
-{
-  int zPass = 0;
-  int finite = 0;
-  int unseen = 0;
-  int seenPoints = 0;
-  for (std::uint64_t seed = 1; seed <= 1000; ++seed)
-  {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
-    const auto place = [&]() {
-      return Point3{ random.uniform(-4.0, 4.0), random.uniform(-4.0, 4.0), random.uniform(0.0, 4.0) };
-    };
-    const Point3 eye = place();
-    const ShadowView view = viewFrom(eye, place(), 0.1);
-    const Point3 lamp = place();
-    const double w = random.chance(0.5) ? 1.0 : 0.0;
-    const Point4 light = { lamp[0], lamp[1], w == 0.0 ? lamp[2] - 2.0 : 1.5 * lamp[2], w };
-    const BoxCorners box = boxAround(place(), random.uniform(0.05, 0.8));
-    const ShadowPlan plan(view, Room, {});
-    const bool isSeen = plan.IsSeen(light, box);
-    const CasterPlan decided = plan.Decide(light, box);
-    zPass += decided.ZPass;
-    finite += decided.End != Point4{};
-    unseen += !isSeen;
-    for (int sample = 0; sample < 100; ++sample)
-    {
-      // A point in the shadow of a point of the box, within the room.
-      const Point3 from = inBox(box, random);
-      const Point3 ray = { light[3] * from[0] - light[0], light[3] * from[1] - light[1],
-        light[3] * from[2] - light[2] };
-      const Point3 point = from + random.uniform(0.0, 2.0) * ray;
-      const double homogeneous[4] = { point[0], point[1], point[2], 1.0 };
-      double clip[4];
-      vtkMatrix4x4::MultiplyPoint(view.WorldToClip.data(), homogeneous, clip);
-      bool inRoom = true;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        inRoom = inRoom && point[axis] >= Room[2 * axis] && point[axis] <= Room[2 * axis + 1];
-      }
-      if (!inRoom)
-      {
-        continue;
-      }
-      if (decided.End != Point4{})
-      {
-        EXPECT_GT(decided.End[0] * point[0] + decided.End[1] * point[1] +
-            decided.End[2] * point[2] + decided.End[3],
-          0.0);
-      }
-      const bool inView = clip[3] > 0.0 && std::fabs(clip[0]) < clip[3] &&
-        std::fabs(clip[1]) < clip[3] && std::fabs(clip[2]) < clip[3];
-      if (inView)
-      {
-        ++seenPoints;
-        EXPECT_TRUE(isSeen);
-        for (std::size_t axis = 0; axis < 2; ++axis)
-        {
-          const double pixel = 100.0 * (1.0 + clip[axis] / clip[3]);
-          EXPECT_GE(pixel, decided.Scissor[axis]);
-          EXPECT_LE(pixel, decided.Scissor[axis] + decided.Scissor[axis + 2]);
-        }
-      }
-      // On the near rectangle, but in the shadow: z-pass would miss it.
-      const bool onNear = clip[3] > 0.0 && std::fabs(clip[0]) < clip[3] &&
-        std::fabs(clip[1]) < clip[3] && std::fabs(clip[2] + clip[3]) < 0.02 * clip[3];
-      EXPECT_FALSE(onNear && decided.ZPass && clip[2] < -clip[3]);
-    }
-  }
-  EXPECT_GT(zPass, 300);
-  EXPECT_LT(zPass, 990);
-  EXPECT_GT(finite, 300);
-  EXPECT_LT(finite, 1000);
-  EXPECT_GT(unseen, 50);
-  EXPECT_GT(seenPoints, 2000);
+  ShadowRules all;
+  all.SkipUnseen = false;
+  all.SkipWithoutReceivers = false;
+  EXPECT_TRUE(std::isinf(
+    ShadowPlan(ahead(), InRoom, all).Decide(Above, boxAround({ 0.0, -9.0, 1.0 }, 0.5)).Pixel));
 }
 
-namespace
+TEST(ShadowPlan, NumbersThatAreNoneSkipNothing)
 {
-struct Eye
-{
-  const char* Name;
-  Point3 Place;
-  Point3 At;
-  RayLight Light;
-};
-
-// Free of shadow, in the box's shadow, with the lamp close, and looking along the ground.
-const Eye Eyes[] = { { "outside", { -3.0, -6.0, 5.0 }, { 0.0, 0.0, 0.5 }, PointLight },
-  { "in shadow", { -0.25, -0.12, 0.5 }, { -0.1, 0.4, 0.0 }, DirectionalLight },
-  { "under the lamp", { -2.0, -3.0, 3.0 }, { 0.0, 0.0, 0.5 }, { 0.2, 0.1, 1.9, 1.0 } },
-  { "low", { -3.0, -4.0, 0.6 }, { -1.0, 0.0, 0.2 }, { 3.0, 2.0, 1.8, 0.0 } } };
+  const double none = std::nan("");
+  const BoxCorners box = boxAround({ 2.0, 0.0, 1.0 }, 0.5);
+  const ShadowPlan plan(ahead(), InRoom, {});
+  EXPECT_FALSE(plan.Decide(lampAt({ none, 0.0, 1.0 }), box).Skip);
+  PlanLight spot = spotAt({ 0.0, 0.0, 4.0 }, none);
+  EXPECT_FALSE(plan.Decide(spot, box).Skip);
+  spot.ConeAngle = 10.0;
+  EXPECT_TRUE(plan.Decide(spot, box).Skip);
+  spot.Direction = { none, 0.0, 0.0 };
+  EXPECT_FALSE(plan.Decide(spot, box).Skip);
+  spot.Direction = {};
+  EXPECT_FALSE(plan.Decide(spot, box).Skip);
+  const CasterPlan nowhere = plan.Decide(Above, boxAround({ none, none, none }, 0.5));
+  EXPECT_FALSE(nowhere.Skip);
+  EXPECT_GT(nowhere.Pixel, 0.0);
+  const std::array<double, 2> all = { 0.0, 1.0 };
+  EXPECT_EQ(nowhere.DepthRange, all);
+  const std::array<double, 6> nothing = { none, none, none, none, none, none };
+  EXPECT_FALSE(ShadowPlan(ahead(), { { nothing }, true, Room }, {}).Decide(Above, box).Skip);
 }
 
-TEST(StencilShadowPassPlan, RulesLeaveTheMaskAsItIs)
+TEST(SilhouetteChoice, IsSmoothIfEdgesAreOffByMoreThanTheTolerance)
 {
-  const std::pair<const char*, std::function<void(vtkStencilShadowPass*)>> off[] = {
-    { "counting", [](vtkStencilShadowPass* pass) { pass->SetCountingToZFail(); } },
-    { "skipping", [](vtkStencilShadowPass* pass) { pass->SkipUnseenCastersOff(); } },
-    { "finite volumes", [](vtkStencilShadowPass* pass) { pass->FiniteVolumesOff(); } },
-    { "scissor", [](vtkStencilShadowPass* pass) { pass->ScissorOff(); } } };
-  int zPass = 0;
-  int zFail = 0;
-  for (const Eye& eye : Eyes)
-  {
-    Mesh box = FloatingBox();
-    const auto maskWith = [&](const std::function<void(vtkStencilShadowPass*)>& change)
-    {
-      Scene scene;
-      scene.Add(box);
-      scene.Look(eye.Place[0], eye.Place[1], eye.Place[2]);
-      scene.Renderer->GetActiveCamera()->SetFocalPoint(eye.At.data());
-      scene.Renderer->GetActiveCamera()->SetClippingRange(0.05, 40.0);
-      const auto light = scene.AddLight(eye.Light);
-      const auto window = MakeWindow(240, 180);
-      window->AddRenderer(scene.Renderer);
-      change(scene.Pass);
-      window->Render();
-      ExpectMask(scene, light, eye.Light, { { scene.GroundMesh }, { box } }, eye.Name);
-      const auto plan = vtkSmartPointer<vtkTable>::Take(scene.Pass->GetPlan());
-      EXPECT_EQ(plan->GetNumberOfRows(), 2);
-      auto* decisions = vtkStringArray::SafeDownCast(plan->GetColumnByName("Decision"));
-      for (vtkIdType row = 0; row < plan->GetNumberOfRows(); ++row)
-      {
-        zPass += decisions->GetValue(row).find("z-pass") == 0;
-        zFail += decisions->GetValue(row).find("z-fail") == 0;
-      }
-      return scene.Mask(light);
-    };
-    const Image all = maskWith([](vtkStencilShadowPass*) {});
-    for (const auto& [name, turnOff] : off)
-    {
-      // Beside an edge a pixel may fall to the other side by rounding.
-      EXPECT_LE(Differences(maskWith(turnOff), all), 6) << eye.Name << ", without " << name;
-    }
-  }
-  EXPECT_GT(zPass, 10);
-  EXPECT_GT(zFail, 10);
+  EXPECT_FALSE(ChooseSilhouette(0.25, 1.0, 1.0).Smooth);
+  EXPECT_TRUE(ChooseSilhouette(std::nextafter(0.25, 1.0), 1.0, 1.0).Smooth);
+  EXPECT_FALSE(ChooseSilhouette(0.5, 1.0, 2.0).Smooth);
+  EXPECT_TRUE(ChooseSilhouette(0.5, 1.0, 1.0).Smooth);
+  EXPECT_NE(
+    ChooseSilhouette(0.5, 1.0, 1.0).Reason, ChooseSilhouette(0.1, 1.0, 1.0).Reason);
+}
+
+TEST(SilhouetteChoice, ToleranceIsAPowerOfTwo)
+{
+  EXPECT_EQ(ChooseSilhouette(1e3, 1.0, 1.0).Tolerance, 1.0);
+  EXPECT_EQ(ChooseSilhouette(1e3, std::nextafter(1.0, 0.0), 1.0).Tolerance, 0.5);
+  EXPECT_EQ(ChooseSilhouette(1e3, 1.999, 1.0).Tolerance, 1.0);
+  EXPECT_EQ(ChooseSilhouette(1e3, 3.0, 2.0).Tolerance, 4.0);
+  EXPECT_EQ(ChooseSilhouette(1e3, 0x1p-1070, 1.0).Tolerance, 0x1p-1070);
+  EXPECT_EQ(ChooseSilhouette(0.1, 1.0, 1.0).Tolerance, 0.0);
+}
+
+TEST(SilhouetteChoice, ExtremesAreDecided)
+{
+  const double none = std::nan("");
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(ChooseSilhouette(0.0, 1e-300, 1.0).Smooth);
+  EXPECT_FALSE(ChooseSilhouette(0.0, 1.0, 0.0).Smooth);
+  EXPECT_FALSE(ChooseSilhouette(infinite, infinite, 1.0).Smooth);
+  EXPECT_FALSE(ChooseSilhouette(none, infinite, 1.0).Smooth);
+  EXPECT_FALSE(ChooseSilhouette(1.0, none, 1.0).Smooth);
+  EXPECT_FALSE(ChooseSilhouette(1.0, 1.0, none).Smooth);
+  EXPECT_FALSE(ChooseSilhouette(1.0, 1.0, 0.0).Smooth);
+  EXPECT_TRUE(ChooseSilhouette(none, 1.0, 1.0).Smooth);
+  EXPECT_TRUE(ChooseSilhouette(infinite, 1.0, 1.0).Smooth);
 }

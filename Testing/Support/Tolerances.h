@@ -132,6 +132,10 @@ constexpr double FaintPixels = 6e-3;
 /// tell. Up to 2 of 900,000 pixels were found.
 constexpr double StrayPixels = 3e-6;
 
+/// Window depth: the room that the plan leaves around a volume that is some ten units wide and away:
+/// 16 steps of 24 bits, and roundings of single precision.
+constexpr double DepthMargin = 1e-5;
+
 /// Steps of 255: a shaded colour against the formula. Half a step for rounding, the rest for normals
 /// and positions that shaders have in float.
 constexpr double Shade = 2.0;
@@ -144,6 +148,10 @@ constexpr int SameShade = 1;
 /// rasterisers of the same scene may differ: rounding of colours, and samples on an edge.
 constexpr double PictureFraction = 0.002;
 constexpr int PictureChannel = 2;
+
+/// Relative: the height of an edge's curve against that of the arc, which it is at the middle, and
+/// against the size where that is flat. What is lost where a small angle's cosine is taken from 1.
+constexpr double ArcRounding = 1e-12;
 }
 }
 

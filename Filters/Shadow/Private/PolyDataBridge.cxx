@@ -264,9 +264,11 @@ BridgedMesh readMesh(vtkPolyData* input, bool mergePoints)
   const shadow::Welding vertices =
     mergePoints ? shadow::weldPoints(points) : identity(points.size());
   mesh.points.reserve(vertices.first.size());
+  mesh.sources.reserve(vertices.first.size());
   for (const shadow::Index i : vertices.first)
   {
     mesh.points.push_back(points[i]);
+    mesh.sources.push_back(static_cast<shadow::Index>(used[i]));
   }
 
   vtkDataArray* normalArray = input->GetPointData()->GetNormals();

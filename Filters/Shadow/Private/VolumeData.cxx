@@ -1,10 +1,13 @@
 #include "VolumeData.h"
 
+#include "IndexSet.h"
+#include "SMPRangeLoop.h"
+#include "VolumeDepth.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -12,6 +15,9 @@
 #include "vtkPolyData.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnsignedIntArray.h"
+
+#include <algorithm>
 
 namespace
 {
@@ -52,32 +58,16 @@ void writePoints(const shadow::ShadowVolume& volume, const shadow::Vec3& centre,
   output->GetPointData()->AddArray(homogeneous);
 }
 
-void writeNearPoints(const shadow::ShadowVolume& volume, vtkPolyData* output)
+void writeTriangles(const std::vector<shadow::VolumeTriangle>& triangles, vtkPolyData* output)
 {
-  vtkNew<vtkIdTypeArray> near;
-  near->SetName("NearPoints");
-  near->SetNumberOfValues(static_cast<vtkIdType>(volume.points.size()));
-  near->FillValue(-1);
-  for (std::size_t i = 0; i < volume.origin.size(); ++i)
-  {
-    if (volume.origin[i] != shadow::None)
-    {
-      near->SetValue(static_cast<vtkIdType>(volume.firstEnd + i), volume.origin[i]);
-    }
-  }
-  output->GetPointData()->AddArray(near);
-}
-
-void writeTriangles(const shadow::ShadowVolume& volume, vtkPolyData* output)
-{
-  const vtkIdType count = static_cast<vtkIdType>(volume.triangles.size());
+  const vtkIdType count = static_cast<vtkIdType>(triangles.size());
   vtkNew<vtkTypeInt64Array> offsets;
   offsets->SetNumberOfValues(count + 1);
   vtkNew<vtkTypeInt64Array> connectivity;
   connectivity->SetNumberOfValues(3 * count);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const shadow::VolumeTriangle& t = volume.triangles[static_cast<std::size_t>(i)];
+    const shadow::VolumeTriangle& t = triangles[static_cast<std::size_t>(i)];
     offsets->SetValue(i, 3 * i);
     for (unsigned k = 0; k < 3; ++k)
     {
@@ -104,34 +94,133 @@ void writeStrips(const shadow::ShadowVolume& volume, vtkPolyData* output)
   output->SetStrips(cells);
 }
 
-// Strips come behind the triangles.
-void writeCellData(const shadow::ShadowVolume& volume, vtkPolyData* output)
+// Part and Multiplicity of cells, in their order.
+class CellDataWriter
 {
-  const vtkIdType triangles = static_cast<vtkIdType>(volume.triangles.size());
-  const vtkIdType strips = static_cast<vtkIdType>(volume.strips.size());
-  vtkNew<vtkUnsignedCharArray> parts;
-  parts->SetName("Part");
-  parts->SetNumberOfValues(triangles + strips);
-  vtkNew<vtkIntArray> multiplicities;
-  multiplicities->SetName("Multiplicity");
-  multiplicities->SetNumberOfValues(triangles + strips);
-  const auto set = [&](vtkIdType cell, shadow::VolumePart part, int multiplicity)
+public:
+  explicit CellDataWriter(std::size_t cells)
   {
-    parts->SetValue(cell, static_cast<unsigned char>(part));
-    multiplicities->SetValue(cell, multiplicity);
-  };
-  for (vtkIdType i = 0; i < triangles; ++i)
-  {
-    const shadow::VolumeTriangle& t = volume.triangles[static_cast<std::size_t>(i)];
-    set(i, t.part, t.multiplicity);
+    this->Parts->SetName("Part");
+    this->Parts->SetNumberOfValues(static_cast<vtkIdType>(cells));
+    this->Multiplicities->SetName("Multiplicity");
+    this->Multiplicities->SetNumberOfValues(static_cast<vtkIdType>(cells));
   }
-  for (vtkIdType i = 0; i < strips; ++i)
+
+  void add(shadow::VolumePart part, int multiplicity)
   {
-    set(triangles + i, shadow::VolumePart::Wall,
-      volume.strips[static_cast<std::size_t>(i)].multiplicity);
+    this->Parts->SetValue(this->Next, static_cast<unsigned char>(part));
+    this->Multiplicities->SetValue(this->Next, multiplicity);
+    ++this->Next;
   }
-  output->GetCellData()->AddArray(parts);
-  output->GetCellData()->AddArray(multiplicities);
+
+  void add(const std::vector<shadow::VolumeTriangle>& triangles)
+  {
+    for (const shadow::VolumeTriangle& t : triangles)
+    {
+      this->add(t.part, t.multiplicity);
+    }
+  }
+
+  void write(vtkPolyData* output) const
+  {
+    output->GetCellData()->AddArray(this->Parts);
+    output->GetCellData()->AddArray(this->Multiplicities);
+  }
+
+private:
+  vtkNew<vtkUnsignedCharArray> Parts;
+  vtkNew<vtkIntArray> Multiplicities;
+  vtkIdType Next = 0;
+};
+
+void addInteger(vtkPolyData* output, const char* name, int value)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  output->GetFieldData()->AddArray(array);
+}
+
+// Gives the nodes that are used numbers of their own.
+class UsedNodes
+{
+public:
+  shadow::Index number(shadow::Index node) { return this->Nodes.insert(node).place; }
+
+  void write(const shadow::NearEnd& end, vtkPolyData* output) const
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->SetNumberOfPoints(static_cast<vtkIdType>(this->Nodes.size()));
+    vtkIdType next = 0;
+    for (const shadow::Index node : this->Nodes.items())
+    {
+      const shadow::Vec3 place = end.place(node);
+      points->SetPoint(next++, &place.x);
+    }
+    output->SetPoints(points);
+  }
+
+private:
+  shadow::IndexSet Nodes;
+};
+
+void writeRims(const std::vector<shadow::VolumeRim>& rims, UsedNodes& nodes, CellDataWriter& data,
+  vtkPolyData* output)
+{
+  vtkNew<vtkCellArray> cells;
+  for (const shadow::VolumeRim& rim : rims)
+  {
+    cells->InsertNextCell(static_cast<int>(rim.points.size()) + 1);
+    for (const shadow::Index point : rim.points)
+    {
+      cells->InsertCellPoint(nodes.number(point));
+    }
+    cells->InsertCellPoint(nodes.number(rim.points.front()));
+    data.add(shadow::VolumePart::Wall, rim.multiplicity);
+  }
+  output->SetLines(cells);
+}
+
+// The triangles over the nodes' own numbers.
+std::vector<shadow::VolumeTriangle> numberedTriangles(
+  const shadow::NearEnd& end, UsedNodes& nodes)
+{
+  std::vector<shadow::VolumeTriangle> triangles;
+  if (end.cap)
+  {
+    for (const shadow::NearCap::Part& part : end.cap->parts())
+    {
+      triangles.push_back({ part.nodes, shadow::VolumePart::Cap, 1 });
+    }
+  }
+  triangles.insert(triangles.end(), end.triangles.begin(), end.triangles.end());
+  for (shadow::VolumeTriangle& t : triangles)
+  {
+    for (shadow::Index& point : t.points)
+    {
+      point = nodes.number(point);
+    }
+  }
+  return triangles;
+}
+
+void writeCapTriangles(const shadow::NearEnd& end, vtkPolyData* output)
+{
+  static_assert(sizeof(shadow::Triangle) == 3 * sizeof(unsigned int), "written as such an array");
+  vtkNew<vtkUnsignedIntArray> array;
+  array->SetName("CapTriangles");
+  array->SetNumberOfComponents(3);
+  if (end.cap)
+  {
+    end.cap->writeWhole(smpRangeLoop,
+      [&](std::size_t count)
+      {
+        array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+        return reinterpret_cast<shadow::Triangle*>(array->GetPointer(0));
+      });
+  }
+  output->GetFieldData()->AddArray(array);
 }
 }
 
@@ -139,19 +228,17 @@ void writeVolume(const shadow::ShadowVolume& volume, const shadow::Vec3& centre,
   const shadow::ShadowEnd& end, bool closed, vtkPolyData* output)
 {
   writePoints(volume, centre, end.length, output);
-  writeNearPoints(volume, output);
-  writeTriangles(volume, output);
+  writeTriangles(volume.triangles, output);
   writeStrips(volume, output);
-  writeCellData(volume, output);
-  const auto addInteger = [&](const char* name, int value)
+  CellDataWriter data(volume.triangles.size() + volume.strips.size());
+  data.add(volume.triangles);
+  for (const shadow::WallStrip& strip : volume.strips)
   {
-    vtkNew<vtkIntArray> array;
-    array->SetName(name);
-    array->InsertNextValue(value);
-    output->GetFieldData()->AddArray(array);
-  };
-  addInteger("Closed", closed);
-  addInteger("GreatestDepth", volume.greatestDepth);
+    data.add(shadow::VolumePart::Wall, strip.multiplicity);
+  }
+  data.write(output);
+  addInteger(output, "Closed", closed);
+  addInteger(output, "GreatestDepth", volume.greatestDepth);
   if (closed && end.extent != shadow::Extent::Infinite)
   {
     vtkNew<vtkDoubleArray> enclosed;
@@ -159,4 +246,19 @@ void writeVolume(const shadow::ShadowVolume& volume, const shadow::Vec3& centre,
     enclosed->InsertNextValue(shadow::enclosedVolume(volume, centre));
     output->GetFieldData()->AddArray(enclosed);
   }
+}
+
+void writeNearEnd(const shadow::NearEnd& end, vtkPolyData* output)
+{
+  UsedNodes nodes;
+  const std::vector<shadow::VolumeTriangle> triangles = numberedTriangles(end, nodes);
+  CellDataWriter data(end.rims.size() + triangles.size());
+  writeRims(end.rims, nodes, data, output);
+  writeTriangles(triangles, output);
+  data.add(triangles);
+  data.write(output);
+  nodes.write(end, output);
+  writeCapTriangles(end, output);
+  addInteger(output, "GreatestDepth", shadow::greatestDepth(end));
+  addInteger(output, "LightOutside", end.lightIsOutside ? 1 : 0);
 }

@@ -11,4 +11,7 @@ class vtkPolyData;
 void writeVolume(const shadow::ShadowVolume& volume, const shadow::Vec3& centre,
   const shadow::ShadowEnd& end, bool closed, vtkPolyData* output);
 
+// Writes what vtkShadowVolumeExtruder documents for NEAR_END.
+void writeNearEnd(const shadow::NearEnd& end, vtkPolyData* output);
+
 #endif

@@ -45,18 +45,23 @@ bool Check(std::string& error)
 }
 }
 
+bool ShadowFramebuffer::Fits(int width, int height, int masks) const
+{
+  return this->DepthTarget && this->Width == width && this->Height == height &&
+    this->Layers == LayersFor(masks);
+}
+
 bool ShadowFramebuffer::Allocate(
   vtkOpenGLState* state, int width, int height, int masks, std::string& error)
 {
-  const int layers = LayersFor(masks);
-  if (this->DepthTarget && this->Width == width && this->Height == height && this->Layers == layers)
+  if (this->Fits(width, height, masks))
   {
     return true;
   }
   this->Release();
   this->Width = width;
   this->Height = height;
-  this->Layers = layers;
+  this->Layers = LayersFor(masks);
 
   state->PushFramebufferBindings();
   const bool created = this->Create(state, error);

@@ -31,6 +31,11 @@ public:
    */
   bool Allocate(vtkOpenGLState* state, int width, int height, int masks, std::string& error);
 
+  /**
+   * Whether Allocate has nothing to make anew, so that what was drawn is still there.
+   */
+  bool Fits(int width, int height, int masks) const;
+
   void Release();
 
   int GetWidth() const { return this->Width; }

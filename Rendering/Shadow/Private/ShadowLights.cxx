@@ -10,22 +10,34 @@
 namespace
 {
 /**
- * False for a light that has no finite position, or whose direction is no direction.
+ * Where the light is and where it shines to. False if it has no finite position, or its direction is
+ * no direction.
  */
-bool FindPosition(vtkLight* light, std::array<double, 4>& position)
+bool FindPlace(vtkLight* light, ShadowLight& result)
 {
   double place[3];
-  light->GetTransformedPosition(place);
-  if (light->GetPositional())
-  {
-    position = { place[0], place[1], place[2], 1.0 };
-    return std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]);
-  }
   double focus[3];
+  light->GetTransformedPosition(place);
   light->GetTransformedFocalPoint(focus);
-  position = { place[0] - focus[0], place[1] - focus[1], place[2] - focus[2], 0.0 };
-  const double length = std::hypot(position[0], position[1], position[2]);
-  return std::isfinite(length) && length > 0.0;
+  std::array<double, 3>& direction = result.Direction;
+  direction = { focus[0] - place[0], focus[1] - place[1], focus[2] - place[2] };
+  const double length = std::hypot(direction[0], direction[1], direction[2]);
+  const bool isDirection = std::isfinite(length) && length > 0.0;
+  if (!light->GetPositional())
+  {
+    result.Position = { -direction[0], -direction[1], -direction[2], 0.0 };
+    return isDirection;
+  }
+  result.Position = { place[0], place[1], place[2], 1.0 };
+  if (isDirection)
+  {
+    for (double& component : direction)
+    {
+      component /= length;
+    }
+    result.ConeAngle = light->GetConeAngle();
+  }
+  return std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]);
 }
 }
 
@@ -69,7 +81,7 @@ std::vector<ShadowLight> CollectShadowLights(vtkRenderer* renderer, const LightS
     shadowLight.Light = light;
     shadowLight.Number = number++;
     if (!light->LightTypeIsHeadlight() && switches.Casts(light) &&
-      FindPosition(light, shadowLight.Position))
+      FindPlace(light, shadowLight))
     {
       result.push_back(shadowLight);
     }

@@ -25,6 +25,13 @@ struct ShadowLight
    * Homogeneous, in world coordinates; for a directional light the direction towards it, w = 0.
    */
   std::array<double, 4> Position{};
+
+  /**
+   * From the light along the axis of its cone, of unit length, and the angle between that and the
+   * cone's side in degrees; 90 or more if it shines in all directions.
+   */
+  std::array<double, 3> Direction{};
+  double ConeAngle = 180.0;
 };
 
 /**

@@ -4,166 +4,206 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkShadowVolumeExtruder.h"
-#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnsignedIntArray.h"
 
-#include <vector>
+#include <utility>
 
-namespace
+VolumeBuffers::~VolumeBuffers()
 {
-/**
- * The array as ints, copied only if it is of another type.
- */
-vtkSmartPointer<vtkIntArray> AsInts(vtkDataArray* array)
-{
-  vtkSmartPointer<vtkIntArray> ints = vtkArrayDownCast<vtkIntArray>(array);
-  if (!ints && array)
+  if (this->Vertices)
   {
-    ints = vtkSmartPointer<vtkIntArray>::New();
-    ints->DeepCopy(array);
-  }
-  return ints;
-}
-}
-
-void VolumeBuffers::PlaceVertices(vtkPolyData* volume, std::vector<float>& vertices)
-{
-  auto* near = vtkArrayDownCast<vtkIdTypeArray>(volume->GetPointData()->GetArray("NearPoints"));
-  const vtkIdType count = volume->GetNumberOfPoints();
-  vtkBoundingBox bounds;
-  double place[3];
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    if (near->GetValue(i) < 0)
-    {
-      volume->GetPoint(i, place);
-      bounds.AddPoint(place);
-    }
-  }
-  bounds.GetBounds(this->Bounds.data());
-  bounds.GetCenter(this->Origin.data());
-  this->Scale = 0.5 * bounds.GetMaxLength();
-  if (!(this->Scale > 0.0))
-  {
-    this->Scale = 1.0;
-  }
-  vertices.resize(4 * static_cast<std::size_t>(count) + 4, 0.0f);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const vtkIdType origin = near->GetValue(i);
-    volume->GetPoint(origin < 0 ? i : origin, place);
-    float* vertex = &vertices[4 * static_cast<std::size_t>(i)];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      vertex[axis] = static_cast<float>((place[axis] - this->Origin[axis]) / this->Scale);
-    }
-    vertex[3] = origin < 0 ? 0.0f : 1.0f;
-  }
-  // The apex of the far end: where the shadow of the middle ends.
-  vertices.back() = 1.0f;
-}
-
-void VolumeBuffers::Upload(vtkPolyData* volume, unsigned int attribute)
-{
-  this->Release();
-  const auto parts = AsInts(volume->GetCellData()->GetArray("Part"));
-  const auto multiplicities = AsInts(volume->GetCellData()->GetArray("Multiplicity"));
-  if (volume->GetNumberOfPolys() == 0 || !parts || !multiplicities)
-  {
-    return;
-  }
-  this->GreatestDepth =
-    static_cast<int>(volume->GetFieldData()->GetArray("GreatestDepth")->GetComponent(0, 0));
-  std::vector<float> vertices;
-  this->PlaceVertices(volume, vertices);
-  const auto apex = static_cast<GLuint>(vertices.size() / 4 - 1);
-
-  std::vector<GLuint> caps;
-  std::vector<GLuint> sides;
-  std::vector<GLuint> far;
-  std::vector<GLuint> fan;
-  const auto isEnd = [&](vtkIdType point)
-  { return vertices[4 * static_cast<std::size_t>(point) + 3] != 0.0f; };
-  vtkIdType cell = 0;
-  auto triangles = vtk::TakeSmartPointer(volume->GetPolys()->NewIterator());
-  for (triangles->GoToFirstCell(); !triangles->IsDoneWithTraversal(); triangles->GoToNextCell())
-  {
-    vtkIdType size;
-    const vtkIdType* ids;
-    triangles->GetCurrentCell(size, ids);
-    const std::array<GLuint, 3> corners = { static_cast<GLuint>(ids[0]),
-      static_cast<GLuint>(ids[1]), static_cast<GLuint>(ids[2]) };
-    const int part = parts->GetValue(cell);
-    std::vector<GLuint>& indices = part == vtkShadowVolumeExtruder::CAP ? caps
-      : part == vtkShadowVolumeExtruder::FAR_CAP                        ? far
-                                                                        : sides;
-    for (int repeat = multiplicities->GetValue(cell); repeat > 0; --repeat)
-    {
-      indices.insert(indices.end(), corners.begin(), corners.end());
-      // Walls are written as (q, p, p's end), (q, p's end, q's end).
-      if (part == vtkShadowVolumeExtruder::WALL && isEnd(ids[1]) && isEnd(ids[2]))
-      {
-        fan.insert(fan.end(), { apex, corners[2], corners[1] });
-      }
-    }
-    ++cell;
-  }
-  if (far.empty())
-  {
-    far.swap(fan);
-  }
-  this->CapIndices = static_cast<int>(caps.size());
-  this->SideIndices = static_cast<int>(sides.size());
-  this->FarIndices = static_cast<int>(far.size());
-  caps.insert(caps.end(), sides.begin(), sides.end());
-  caps.insert(caps.end(), far.begin(), far.end());
-
-  glGenVertexArrays(1, &this->VertexArray);
-  glGenBuffers(1, &this->Vertices);
-  glGenBuffers(1, &this->Indices);
-  glBindVertexArray(this->VertexArray);
-  glBindBuffer(GL_ARRAY_BUFFER, this->Vertices);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(float)),
-    vertices.data(), GL_STATIC_DRAW);
-  glEnableVertexAttribArray(attribute);
-  glVertexAttribPointer(attribute, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Indices);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(caps.size() * sizeof(GLuint)),
-    caps.data(), GL_STATIC_DRAW);
-  glBindVertexArray(0);
-}
-
-void VolumeBuffers::Release()
-{
-  if (this->VertexArray)
-  {
-    glDeleteVertexArrays(1, &this->VertexArray);
+    glDeleteVertexArrays(NumberOfVertexArrays, this->VertexArrays.data());
     glDeleteBuffers(1, &this->Vertices);
     glDeleteBuffers(1, &this->Indices);
   }
-  this->VertexArray = 0;
-  this->Vertices = 0;
-  this->Indices = 0;
-  this->CapIndices = 0;
-  this->SideIndices = 0;
-  this->FarIndices = 0;
-  this->GreatestDepth = 0;
 }
 
-void VolumeBuffers::Draw(int first, int count) const
+void VolumeBuffers::PlaceRims(vtkPolyData* end, std::vector<float>& vertices)
+{
+  this->RimFirst.clear();
+  this->RimCount.clear();
+  this->StripFirst.clear();
+  this->StripCount.clear();
+  auto* multiplicities =
+    vtkIntArray::SafeDownCast(end->GetCellData()->GetArray("Multiplicity"));
+  int next = 0;
+  for (vtkIdType cell = 0; cell < end->GetNumberOfLines(); ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    end->GetLines()->GetCellAtId(cell, size, ids);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      double place[3];
+      end->GetPoint(ids[i], place);
+      const std::array<float, 3> vertex = this->Mesh->ToVertex(place);
+      for (const float isPlace : { 1.0f, 0.0f })
+      {
+        vertices.insert(vertices.end(), vertex.begin(), vertex.end());
+        vertices.push_back(isPlace);
+      }
+    }
+    const int count = static_cast<int>(size);
+    for (int repeat = multiplicities->GetValue(cell); repeat > 0; --repeat)
+    {
+      this->RimFirst.push_back(next);
+      this->RimCount.push_back(count);
+      this->StripFirst.push_back(2 * next);
+      this->StripCount.push_back(2 * count);
+    }
+    next += count;
+  }
+}
+
+void VolumeBuffers::PlacePoints(vtkPolyData* end, std::vector<float>& vertices)
+{
+  vtkBoundingBox bounds(this->Mesh->GetBounds().data());
+  for (vtkIdType i = 0; i < end->GetNumberOfPoints(); ++i)
+  {
+    double place[3];
+    end->GetPoint(i, place);
+    bounds.AddPoint(place);
+    const std::array<float, 3> vertex = this->Mesh->ToVertex(place);
+    vertices.insert(vertices.end(), vertex.begin(), vertex.end());
+  }
+  bounds.GetBounds(this->Bounds.data());
+}
+
+std::size_t VolumeBuffers::Upload(
+  vtkPolyData* end, std::shared_ptr<const MeshBuffers> mesh, unsigned int attribute)
+{
+  this->Mesh = std::move(mesh);
+  auto* whole = vtkUnsignedIntArray::SafeDownCast(end->GetFieldData()->GetArray("CapTriangles"));
+  auto* multiplicities =
+    vtkIntArray::SafeDownCast(end->GetCellData()->GetArray("Multiplicity"));
+  auto* parts = vtkUnsignedCharArray::SafeDownCast(end->GetCellData()->GetArray("Part"));
+  if (!whole || !multiplicities || !parts)
+  {
+    // The extruder has refused the mesh.
+    this->CapIndices = this->PartIndices = this->GapIndices = 0;
+    this->RimFirst.clear();
+    return 0;
+  }
+  const auto field = [&](const char* name)
+  { return static_cast<int>(end->GetFieldData()->GetArray(name)->GetComponent(0, 0)); };
+  this->GreatestDepth = field("GreatestDepth");
+  this->LightOutside = field("LightOutside") != 0;
+
+  std::vector<float> vertices;
+  this->PlaceRims(end, vertices);
+  const std::size_t points = vertices.size() * sizeof(float);
+  this->PlacePoints(end, vertices);
+
+  std::vector<GLuint> capParts;
+  std::vector<GLuint> gaps;
+  for (vtkIdType cell = 0; cell < end->GetNumberOfPolys(); ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    end->GetPolys()->GetCellAtId(cell, size, ids);
+    const vtkIdType number = end->GetNumberOfLines() + cell;
+    std::vector<GLuint>& indices =
+      parts->GetValue(number) == vtkShadowVolumeExtruder::CAP ? capParts : gaps;
+    for (int repeat = multiplicities->GetValue(number); repeat > 0; --repeat)
+    {
+      indices.insert(indices.end(), ids, ids + size);
+    }
+  }
+  this->CapIndices = static_cast<int>(whole->GetNumberOfValues());
+  this->PartIndices = static_cast<int>(capParts.size());
+  this->GapIndices = static_cast<int>(gaps.size());
+
+  if (!this->Vertices)
+  {
+    glGenVertexArrays(NumberOfVertexArrays, this->VertexArrays.data());
+    glGenBuffers(1, &this->Vertices);
+    glGenBuffers(1, &this->Indices);
+  }
+  const std::size_t vertexBytes = vertices.size() * sizeof(float);
+  glBindBuffer(GL_ARRAY_BUFFER, this->Vertices);
+  glBufferData(
+    GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertexBytes), vertices.data(), GL_STREAM_DRAW);
+  this->Describe(Caps, this->Mesh->GetVertices(), attribute, 3, 3, 0);
+  this->Describe(Parts, this->Vertices, attribute, 3, 3, points);
+  this->Describe(Walls, this->Vertices, attribute, 4, 4, 0);
+  this->Describe(Ends, this->Vertices, attribute, 4, 8, 4 * sizeof(float));
+
+  // The index buffer is bound to the vertex array that is bound: to any of them.
+  const std::pair<const GLuint*, int> pieces[] = { { whole->GetPointer(0), this->CapIndices },
+    { capParts.data(), this->PartIndices }, { gaps.data(), this->GapIndices } };
+  const std::size_t indexBytes = sizeof(GLuint) *
+    (static_cast<std::size_t>(whole->GetNumberOfValues()) + capParts.size() + gaps.size());
+  glBindVertexArray(this->VertexArrays[Caps]);
+  glBufferData(
+    GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indexBytes), nullptr, GL_STREAM_DRAW);
+  GLintptr at = 0;
+  for (const auto& [first, count] : pieces)
+  {
+    const auto bytes = static_cast<GLsizeiptr>(sizeof(GLuint)) * count;
+    if (bytes > 0)
+    {
+      glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, at, bytes, first);
+    }
+    at += bytes;
+  }
+  glBindVertexArray(0);
+  return vertexBytes + indexBytes;
+}
+
+void VolumeBuffers::Describe(VertexArray array, unsigned int vertices, unsigned int attribute,
+  int size, std::size_t stride, std::size_t offset)
+{
+  glBindVertexArray(this->VertexArrays[array]);
+  glBindBuffer(GL_ARRAY_BUFFER, vertices);
+  glEnableVertexAttribArray(attribute);
+  glVertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE,
+    static_cast<GLsizei>(stride * sizeof(float)), reinterpret_cast<const void*>(offset));
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Indices);
+}
+
+void VolumeBuffers::DrawTriangles(VertexArray array, int first, int count) const
 {
   if (count > 0)
   {
     const auto offset = static_cast<std::size_t>(first) * sizeof(GLuint);
-    glBindVertexArray(this->VertexArray);
+    glBindVertexArray(this->VertexArrays[array]);
     glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
+  }
+}
+
+void VolumeBuffers::DrawCaps() const
+{
+  this->DrawTriangles(Caps, 0, this->CapIndices);
+  this->DrawTriangles(Parts, this->CapIndices, this->PartIndices);
+}
+
+void VolumeBuffers::DrawGaps() const
+{
+  this->DrawTriangles(Parts, this->CapIndices + this->PartIndices, this->GapIndices);
+}
+
+void VolumeBuffers::DrawWalls() const
+{
+  if (!this->RimFirst.empty())
+  {
+    glBindVertexArray(this->VertexArrays[Walls]);
+    glMultiDrawArrays(GL_TRIANGLE_STRIP, this->StripFirst.data(), this->StripCount.data(),
+      static_cast<GLsizei>(this->StripFirst.size()));
+  }
+}
+
+void VolumeBuffers::DrawEndFans() const
+{
+  if (!this->RimFirst.empty())
+  {
+    glBindVertexArray(this->VertexArrays[Ends]);
+    glMultiDrawArrays(GL_TRIANGLE_FAN, this->RimFirst.data(), this->RimCount.data(),
+      static_cast<GLsizei>(this->RimFirst.size()));
   }
 }

@@ -1,10 +1,15 @@
 /**
- * One shadow volume on the graphics card, without where it ends: that is up to the vertex shader.
+ * What a shadow volume begins with, on the graphics card. The vertex shader extrudes it, and knows
+ * where it ends: neither walls nor far end are there as triangles.
  */
 #ifndef VolumeBuffers_h
 #define VolumeBuffers_h
 
+#include "MeshBuffers.h"
+
 #include <array>
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 class vtkPolyData;
@@ -13,46 +18,45 @@ class VolumeBuffers
 {
 public:
   VolumeBuffers() = default;
-  ~VolumeBuffers() { this->Release(); }
+  ~VolumeBuffers();
   VolumeBuffers(const VolumeBuffers&) = delete;
   VolumeBuffers& operator=(const VolumeBuffers&) = delete;
 
   /**
-   * Takes the output of vtkShadowVolumeExtruder with a LENGTH (any) as Extent. A triangle of
-   * multiplicity m is there m times: integer targets, which could add m at once, cannot blend.
-   * `attribute` is where the vertex shader takes the vertices. Without a far cap in the output there is
-   * a fan: the light must be outside of the mesh's bounding ball then.
+   * Takes the output of vtkShadowVolumeExtruder with the extent NEAR_END, in place of what was
+   * there; the buffers stay. What has the multiplicity m is drawn m times: integer targets, which
+   * could add m at once, cannot blend. `attribute` is where the vertex shader takes the vertices.
+   * Gives the number of bytes that were uploaded.
    */
-  void Upload(vtkPolyData* volume, unsigned int attribute);
+  std::size_t Upload(
+    vtkPolyData* end, std::shared_ptr<const MeshBuffers> mesh, unsigned int attribute);
 
   /**
-   * Needs the context that was current on Upload.
+   * The triangles that coincide with the caster's surface.
    */
-  void Release();
+  void DrawCaps() const;
 
   /**
-   * The triangles that coincide with the caster's surface, walls and gaps, and the far end.
+   * The gaps between these and a smooth silhouette.
    */
-  void DrawCaps() const { this->Draw(0, this->CapIndices); }
-  void DrawSides() const { this->Draw(this->CapIndices, this->SideIndices); }
-  void DrawFarEnd() const
-  {
-    this->Draw(this->CapIndices + this->SideIndices, this->FarIndices);
-  }
+  void DrawGaps() const;
 
   /**
-   * Vertices are kept in coordinates of their own, as floats lose their precision far from the
-   * origin, and their range in products: a place of the mesh is Scale times that plus Origin.
+   * Strips of places and ends in turn; fans of ends, wound inwards, which close a far end only if
+   * the light is outside.
    */
-  const std::array<double, 3>& GetOrigin() const { return this->Origin; }
-  double GetScale() const { return this->Scale; }
+  void DrawWalls() const;
+  void DrawEndFans() const;
+  bool IsLightOutside() const { return this->LightOutside; }
+
+  const MeshBuffers& GetMesh() const { return *this->Mesh; }
 
   /**
    * Bounds of all points but those where shadows end, in VTK's order, in the mesh's coordinates.
    */
   const std::array<double, 6>& GetBounds() const { return this->Bounds; }
 
-  bool IsEmpty() const { return this->VertexArray == 0; }
+  bool IsEmpty() const { return this->RimFirst.empty() && this->CapIndices == 0; }
 
   /**
    * How often the volume winds around a point at most.
@@ -60,17 +64,38 @@ public:
   int GetGreatestDepth() const { return this->GreatestDepth; }
 
 private:
-  void PlaceVertices(vtkPolyData* volume, std::vector<float>& vertices);
-  void Draw(int first, int count) const;
+  enum VertexArray
+  {
+    Caps,  // of the mesh's points
+    Parts, // of points of the volume's own
+    Walls,
+    Ends,
+    NumberOfVertexArrays
+  };
 
-  std::array<double, 3> Origin{};
-  double Scale = 1.0;
+  void PlaceRims(vtkPolyData* end, std::vector<float>& vertices);
+  void PlacePoints(vtkPolyData* end, std::vector<float>& vertices);
+  void Describe(VertexArray array, unsigned int vertices, unsigned int attribute, int size,
+    std::size_t stride, std::size_t offset);
+  void DrawTriangles(VertexArray array, int first, int count) const;
+
+  std::shared_ptr<const MeshBuffers> Mesh;
   std::array<double, 6> Bounds{};
   int GreatestDepth = 0;
+  bool LightOutside = true;
+
+  // Of each rim, by its places; one of multiplicity m is there m times.
+  std::vector<int> RimFirst;
+  std::vector<int> RimCount;
+  std::vector<int> StripFirst;
+  std::vector<int> StripCount;
+
+  // Behind one another: the caps' whole triangles, their parts, the gaps.
   int CapIndices = 0;
-  int SideIndices = 0;
-  int FarIndices = 0;
-  unsigned int VertexArray = 0;
+  int PartIndices = 0;
+  int GapIndices = 0;
+
+  std::array<unsigned int, NumberOfVertexArrays> VertexArrays{};
   unsigned int Vertices = 0;
   unsigned int Indices = 0;
 };

@@ -1,74 +1,105 @@
 #include "VolumeCache.h"
 
+#include "vtkFieldData.h"
 #include "vtkPolyData.h"
 
-#include <cmath>
+#include <algorithm>
 #include <iterator>
 
-namespace
+VolumeCache::Caster& VolumeCache::Find(vtkRenderer* renderer, vtkPolyData* mesh)
 {
-/**
- * Whether a light is outside of a ball around the mesh, with room for a smooth contour.
- */
-bool IsOutsideBall(vtkPolyData* mesh, const std::array<double, 4>& light)
-{
-  double bounds[6];
-  mesh->GetBounds(bounds);
-  double squared = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const double offset = light[axis] - 0.5 * light[3] * (bounds[2 * axis] + bounds[2 * axis + 1]);
-    squared += offset * offset;
-  }
-  return std::sqrt(squared) > 0.6 * light[3] * mesh->GetLength();
-}
+  Caster& caster = this->Casters[mesh];
+  caster.Last = { renderer, this->Frame };
+  caster.Silhouette->SetInputData(mesh);
+  return caster;
 }
 
 const VolumeBuffers& VolumeCache::Get(vtkRenderer* renderer, vtkPolyData* mesh,
   const std::array<double, 4>& light, const Quality& quality, unsigned int attribute)
 {
-  Caster& caster = this->Casters[mesh];
-  const auto [found, isNew] =
-    caster.Volumes.try_emplace(Key(mesh->GetMTime(), light, quality.Kind, quality.Tolerance));
-  Volume& volume = found->second;
-  volume.Renderer = renderer;
-  volume.Frame = this->Frame;
-  if (!isNew)
+  Caster& caster = this->Find(renderer, mesh);
+  Volume& volume =
+    caster.Volumes[Key(mesh->GetMTime(), light, quality.Kind, quality.Tolerance)];
+  volume.Last = caster.Last;
+  if (volume.Buffers && (volume.WithCaps || !quality.WithCaps))
   {
-    return volume.Buffers;
+    return *volume.Buffers;
   }
-
-  caster.Silhouette->SetInputData(mesh);
-  caster.Silhouette->SetLightPosition(light.data());
-  caster.Silhouette->SetKind(quality.Kind);
-  caster.Silhouette->SetTolerance(quality.Tolerance);
   caster.Extruder->SetInputData(mesh);
   caster.Extruder->SetSilhouetteConnection(caster.Silhouette->GetOutputPort());
-  // Any length will do, as the vertex shader ends shadows; it gives each wall two points of its own.
-  caster.Extruder->SetExtentToLength();
-  caster.Extruder->SetFarCap(!IsOutsideBall(mesh, light));
-  caster.Extruder->Update();
+  caster.Extruder->SetExtentToNearEnd();
+  vtkPolyData* end = this->MakeNearEnd(caster, light, quality, volume.WithCaps);
 
+  if (!caster.Mesh || caster.MeshTime != mesh->GetMTime())
+  {
+    caster.Mesh = std::make_shared<MeshBuffers>(mesh);
+    caster.MeshTime = mesh->GetMTime();
+    this->UploadedBytes += caster.Mesh->GetUploadedBytes();
+  }
+  if (!volume.Buffers && !caster.Spares.empty())
+  {
+    volume.Buffers = std::move(caster.Spares.back().Buffers);
+    caster.Spares.pop_back();
+  }
+  if (!volume.Buffers)
+  {
+    volume.Buffers = std::make_unique<VolumeBuffers>();
+  }
+  this->UploadedBytes += volume.Buffers->Upload(end, caster.Mesh, attribute);
   ++this->NumberMade;
-  volume.Buffers.Upload(caster.Extruder->GetOutput(), attribute);
 
   // They are on the graphics card now; what is kept about the mesh lies in the filters.
   caster.Extruder->GetOutput()->ReleaseData();
   caster.Silhouette->GetOutput()->ReleaseData();
-  return volume.Buffers;
+  return *volume.Buffers;
+}
+
+vtkPolyData* VolumeCache::MakeNearEnd(Caster& caster, const std::array<double, 4>& light,
+  const Quality& quality, bool& withCaps)
+{
+  caster.Silhouette->SetLightPosition(light.data());
+  caster.Silhouette->SetKind(quality.Kind);
+  caster.Silhouette->SetToleranceModeToWorld();
+  caster.Silhouette->SetTolerance(quality.Tolerance);
+  withCaps = quality.WithCaps;
+  for (;;)
+  {
+    caster.Extruder->SetCaps(
+      withCaps ? vtkShadowVolumeExtruder::AUTOMATIC : vtkShadowVolumeExtruder::NONE);
+    caster.Extruder->Update();
+    vtkPolyData* end = caster.Extruder->GetOutput();
+    vtkDataArray* outside = end->GetFieldData()->GetArray("LightOutside");
+    if (withCaps || !outside || outside->GetComponent(0, 0) != 0.0)
+    {
+      return end;
+    }
+    withCaps = true;
+  }
+}
+
+double VolumeCache::GetMeshDeviation(vtkRenderer* renderer, vtkPolyData* mesh)
+{
+  return this->Find(renderer, mesh).Silhouette->ComputeMeshDeviation();
 }
 
 void VolumeCache::EndFrame(vtkRenderer* renderer)
 {
-  for (auto caster = this->Casters.begin(); caster != this->Casters.end();)
+  for (auto found = this->Casters.begin(); found != this->Casters.end();)
   {
-    auto& volumes = caster->second.Volumes;
-    for (auto volume = volumes.begin(); volume != volumes.end();)
+    Caster& caster = found->second;
+    caster.Spares.erase(std::remove_if(caster.Spares.begin(), caster.Spares.end(),
+                          [&](const Spare& spare) { return spare.Frame != this->Frame; }),
+      caster.Spares.end());
+    for (auto volume = caster.Volumes.begin(); volume != caster.Volumes.end();)
     {
-      const bool unused =
-        volume->second.Renderer == renderer && volume->second.Frame != this->Frame;
-      volume = unused ? volumes.erase(volume) : std::next(volume);
+      const bool unused = this->IsUnused(volume->second.Last, renderer);
+      if (unused && volume->second.Buffers)
+      {
+        caster.Spares.push_back({ this->Frame, std::move(volume->second.Buffers) });
+      }
+      volume = unused ? caster.Volumes.erase(volume) : std::next(volume);
     }
-    caster = volumes.empty() ? this->Casters.erase(caster) : std::next(caster);
+    const bool unused = caster.Volumes.empty() && this->IsUnused(caster.Last, renderer);
+    found = unused ? this->Casters.erase(found) : std::next(found);
   }
 }

@@ -1,5 +1,6 @@
 #include "VolumeCounter.h"
 
+#include "DepthBoundsTest.h"
 #include "OpenGLFunctions.h"
 #include "VolumeBuffers.h"
 
@@ -114,6 +115,12 @@ void VolumeCounter::SetMethod(vtkOpenGLState* state, bool zPass)
   }
 }
 
+void VolumeCounter::EndCounting(vtkOpenGLState* state)
+{
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  DepthBoundsTest::SetRange({ 0.0, 1.0 });
+}
+
 namespace
 {
 /**
@@ -125,7 +132,7 @@ std::array<float, 4> ToVolume(const VolumeBuffers& volume, const std::array<doub
   double largest = std::abs(light[3]);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    moved[axis] = (light[axis] - light[3] * volume.GetOrigin()[axis]) / volume.GetScale();
+    moved[axis] = (light[axis] - light[3] * volume.GetMesh().GetOrigin()[axis]) / volume.GetMesh().GetScale();
     largest = std::max(largest, std::abs(moved[axis]));
   }
   std::array<float, 4> result;
@@ -136,7 +143,7 @@ std::array<float, 4> ToVolume(const VolumeBuffers& volume, const std::array<doub
 
 std::array<float, 4> PlaneToVolume(const VolumeBuffers& volume, const std::array<double, 4>& plane)
 {
-  const std::array<double, 3>& origin = volume.GetOrigin();
+  const std::array<double, 3>& origin = volume.GetMesh().GetOrigin();
   const double height =
     plane[0] * origin[0] + plane[1] * origin[1] + plane[2] * origin[2] + plane[3];
   const double length = std::hypot(plane[0], plane[1], plane[2]);
@@ -146,7 +153,7 @@ std::array<float, 4> PlaneToVolume(const VolumeBuffers& volume, const std::array
   }
   return { static_cast<float>(plane[0] / length), static_cast<float>(plane[1] / length),
     static_cast<float>(plane[2] / length),
-    static_cast<float>(height / (length * volume.GetScale())) };
+    static_cast<float>(height / (length * volume.GetMesh().GetScale())) };
 }
 }
 
@@ -154,18 +161,23 @@ void VolumeCounter::Count(vtkOpenGLState* state, const VolumeBuffers& volume,
   const Placement& placement, bool zPass)
 {
   this->SetMethod(state, zPass);
+  DepthBoundsTest::SetRange(placement.DepthRange);
 
   // Wound as OpenGL expects it unless some matrix on the way mirrors. View to clip coordinates
   // always changes handedness, so the usual sign is negative.
-  glFrontFace(vtkMatrix4x4::Determinant(placement.ToClip.data()) < 0.0 ? GL_CCW : GL_CW);
+  const bool mirrors = vtkMatrix4x4::Determinant(placement.ToClip.data()) >= 0.0;
+  const GLenum front = mirrors ? GL_CW : GL_CCW;
+  const GLenum back = mirrors ? GL_CCW : GL_CW;
+  glFrontFace(front);
 
   // Origin and scale go into the matrix while that is still in double.
-  Matrix4 toMesh = Translation(volume.GetOrigin());
-  toMesh[0] = toMesh[5] = toMesh[10] = volume.GetScale();
+  Matrix4 toMesh = Translation(volume.GetMesh().GetOrigin());
+  toMesh[0] = toMesh[5] = toMesh[10] = volume.GetMesh().GetScale();
   const Matrix4 columns = Transposed(placement.ToClip * toMesh);
   std::array<float, 16> uniform;
   std::transform(columns.begin(), columns.end(), uniform.begin(),
     [](double value) { return static_cast<float>(value); });
+  this->CountProgram->SetUniformi("endsOnly", 0);
   this->CountProgram->SetUniformMatrix4x4("volumeToClip", uniform.data());
   this->CountProgram->SetUniform4f("light", ToVolume(volume, placement.Light).data());
   this->CountProgram->SetUniform4f("end", PlaneToVolume(volume, placement.End).data());
@@ -176,11 +188,27 @@ void VolumeCounter::Count(vtkOpenGLState* state, const VolumeBuffers& volume,
     // surface is not in its own cap's shadow, and a dark one always is in that of its dark cap.
     glPolygonOffset(1.0f, 1.0f);
     volume.DrawCaps();
-    volume.DrawFarEnd();
+    glFrontFace(back);
+    this->DrawFarEnd(volume);
+    glFrontFace(front);
   }
   // Walls begin on surfaces, too, where rounding may put them before or behind.
   glPolygonOffset(0.0f, WallOffset);
-  volume.DrawSides();
+  volume.DrawGaps();
+  volume.DrawWalls();
+}
+
+void VolumeCounter::DrawFarEnd(const VolumeBuffers& volume)
+{
+  if (volume.IsLightOutside())
+  {
+    volume.DrawEndFans();
+    return;
+  }
+  this->CountProgram->SetUniformi("endsOnly", 1);
+  volume.DrawCaps();
+  volume.DrawGaps();
+  this->CountProgram->SetUniformi("endsOnly", 0);
 }
 
 void VolumeCounter::WriteMaskOfStencil(vtkOpenGLState* state)

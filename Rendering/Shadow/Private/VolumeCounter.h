@@ -53,17 +53,23 @@ public:
   void BeginCountingInFloats(vtkOpenGLState* state);
 
   /**
-   * `toClip` takes the mesh to clip coordinates; the light and the plane at which the volume ends (all
-   * zero: at infinity) are in the mesh's.
+   * `ToClip` takes the mesh to clip coordinates; the light and the plane at which the volume ends (all
+   * zero: at infinity) are in the mesh's. DepthRange holds the window depths of all its points.
    */
   struct Placement
   {
     Matrix4 ToClip;
     std::array<double, 4> Light;
     std::array<double, 4> End;
+    std::array<double, 2> DepthRange;
   };
   void Count(vtkOpenGLState* state, const VolumeBuffers& volume, const Placement& placement,
     bool zPass);
+
+  /**
+   * To be called after the last Count.
+   */
+  void EndCounting(vtkOpenGLState* state);
 
   /**
    * Draws 0 into the writable channels wherever the count is not 0, but not on the background.
@@ -75,6 +81,7 @@ public:
 private:
   void BeginCounting(vtkOpenGLState* state);
   void SetMethod(vtkOpenGLState* state, bool zPass);
+  void DrawFarEnd(const VolumeBuffers& volume);
   void WriteMask(vtkOpenGLState* state, vtkShaderProgram* program);
 
   vtkOpenGLRenderWindow* Window = nullptr;
