@@ -5,8 +5,8 @@ import unittest
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
-from smoothshadow.vtkFiltersShadow import (vtkShadowMeshCheck, vtkShadowVolumeExtruder,
-                                           vtkSmoothLightSilhouette)
+from smoothshadow.vtkFiltersShadow import (vtkContourStrokes, vtkShadowMeshCheck,
+                                           vtkShadowVolumeExtruder, vtkSmoothLightSilhouette)
 from smoothshadow.vtkRenderingOffscreen import vtkOffscreenWindows
 from smoothshadow.vtkRenderingShadow import vtkStencilShadowPass
 
@@ -32,7 +32,8 @@ class Modules(unittest.TestCase):
         self.assertEqual(silhouette.GetKind(), vtkSmoothLightSilhouette.DISCRETE)
         shadows = vtkStencilShadowPass()
         self.assertEqual(shadows.GetKind(), vtkStencilShadowPass.AUTOMATIC)
-        for thing in (silhouette, shadows, vtkShadowVolumeExtruder(), vtkShadowMeshCheck()):
+        for thing in (silhouette, shadows, vtkShadowVolumeExtruder(), vtkShadowMeshCheck(),
+                      vtkContourStrokes()):
             self.assertIn(thing.GetClassName(), str(thing))
 
     def test_silhouette_of_a_sphere(self):
@@ -57,6 +58,17 @@ class Modules(unittest.TestCase):
         volume.Update()
         self.assertGreater(volume.GetOutput().GetNumberOfPolys(), 100)
         self.assertEqual(volume.GetOutput().GetFieldData().GetArray("Closed").GetValue(0), 1)
+
+    def test_strokes_of_a_silhouette(self):
+        silhouette = self.silhouette(self.sphere())
+        strokes = vtkContourStrokes()
+        strokes.SetInputConnection(silhouette.GetOutputPort())
+        strokes.SetWidth(0.02)
+        strokes.SetWobble(1)
+        strokes.Update()
+        self.assertGreater(strokes.GetOutput().GetNumberOfPolys(), 100)
+        self.assertEqual(strokes.GetOutput().GetFieldData().GetArray("NonFinitePoints").GetValue(0),
+                         0)
 
     def test_check_of_an_open_sphere(self):
         sphere = self.sphere()
