@@ -14,6 +14,8 @@ constexpr double Bias = 1e-5;
 // In distances of the point looked at: what is nearer to the eye is not drawn.
 constexpr double NearPlane = 1e-3;
 constexpr double StepsOnSheet = 500.0;
+// In heights of the sheet: shorter pieces would be dots, as lines are wider.
+constexpr double ShortestPiece = 1e-3;
 constexpr int Halvings = 12;
 constexpr int MostSteps = 10000; // a segment that comes near to the eye is seen very long
 
@@ -42,6 +44,16 @@ Vector3 Unit(const Vector3& a)
 {
   const double length = std::sqrt(Dot(a, a));
   return { a[0] / length, a[1] / length, a[2] / length };
+}
+
+double LengthOf(const std::vector<Point2>& piece)
+{
+  double length = 0.0;
+  for (std::size_t i = 1; i < piece.size(); ++i)
+  {
+    length += std::hypot(piece[i][0] - piece[i - 1][0], piece[i][1] - piece[i - 1][1]);
+  }
+  return length;
 }
 }
 
@@ -176,6 +188,10 @@ DrawnLine DrawingView::Draw(
       pieces.back().push_back(place(1.0));
     }
   }
+  pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
+                 [this](const std::vector<Point2>& piece)
+                 { return LengthOf(piece) < ShortestPiece * this->SheetHeight; }),
+    pieces.end());
   return pieces;
 }
 

@@ -39,6 +39,7 @@ public:
   /// The parts of a line that are seen. `tests` are points beside those of the line at which
   /// visibility is looked at, or empty. Looked at are places at most a 500th of the sheet's height
   /// apart; where it changes in between is then halved down to a 2,000,000th.
+  /// Pieces shorter than a 1000th are left out.
   DrawnLine Draw(const std::vector<Vector3>& line, const std::vector<Vector3>& tests) const;
 
   /// All lines of the data; if it has them, with the points moved by `outwards` along `Normals` for

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "CastContour.h"
+#include "ContourPoints.h"
 
 namespace shadow
 {

@@ -24,10 +24,10 @@
  *   length), `CasterPoints` (3, double: the point of the silhouette on the same ray).
  * - CellData `Receiver`, `Caster` (number of the input on port 1, and on port 0), `Loop` (the line
  *   of that silhouette), `Visible`, `Closed`.
- * - FieldData `LightPosition` (4), `NodesVisited` and `LeavesTested` (boxes compared in the tree over
- *   the silhouettes, and segments that were then tested), `BuildSeconds` (the tree), `QuerySeconds`
- *   (contours), `HiddenSeconds` (their hidden parts), `LooseEnds` (ends of lines other than those
- *   said above: 0 unless products of coordinates leave the range of doubles).
+ * - FieldData `LightPosition` (4), `NodesVisited` and `LeavesTested` (boxes compared in the tree
+ *   over the silhouettes, and segments that were then tested), `BuildSeconds` (the tree),
+ *   `QuerySeconds` (contours), `HiddenSeconds` (their hidden parts), `LooseEnds` (ends of lines other
+ *   than those said above: 0 unless products of coordinates leave the range of doubles).
  *
  * Receivers are kept until they are modified. Points with equal coordinates are one vertex.
  *

@@ -3,10 +3,11 @@ import math
 import unittest
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 
-from smoothshadow.vtkFiltersShadow import (vtkContourStrokes, vtkShadowMeshCheck,
-                                           vtkShadowVolumeExtruder, vtkSmoothLightSilhouette)
+from smoothshadow.vtkFiltersShadow import (vtkCastShadowContour, vtkContourStrokes,
+                                           vtkShadowMeshCheck, vtkShadowVolumeExtruder,
+                                           vtkSmoothLightSilhouette)
 from smoothshadow.vtkRenderingOffscreen import vtkOffscreenWindows
 from smoothshadow.vtkRenderingShadow import vtkStencilShadowPass
 
@@ -33,7 +34,7 @@ class Modules(unittest.TestCase):
         shadows = vtkStencilShadowPass()
         self.assertEqual(shadows.GetKind(), vtkStencilShadowPass.AUTOMATIC)
         for thing in (silhouette, shadows, vtkShadowVolumeExtruder(), vtkShadowMeshCheck(),
-                      vtkContourStrokes()):
+                      vtkCastShadowContour(), vtkContourStrokes()):
             self.assertIn(thing.GetClassName(), str(thing))
 
     def test_silhouette_of_a_sphere(self):
@@ -69,6 +70,29 @@ class Modules(unittest.TestCase):
         self.assertGreater(strokes.GetOutput().GetNumberOfPolys(), 100)
         self.assertEqual(strokes.GetOutput().GetFieldData().GetArray("NonFinitePoints").GetValue(0),
                          0)
+
+    def test_contour_of_a_sphere_on_a_plane(self):
+        # Its touching cone from (0, 0, 2) meets z = -1 in a circle of radius 3 / sqrt(15).
+        sphere = self.sphere()
+        silhouette = self.silhouette(sphere)
+        silhouette.SetLightPosition(0, 0, 2, 1)
+        plane = vtkPlaneSource()
+        plane.SetOrigin(-4, -4, -1)
+        plane.SetPoint1(4, -4, -1)
+        plane.SetPoint2(-4, 4, -1)
+        contour = vtkCastShadowContour()
+        self.assertEqual(contour.GetBuilder(), vtkCastShadowContour.MORTON)
+        contour.SetSilhouetteConnection(silhouette.GetOutputPort())
+        contour.SetReceiverConnection(plane.GetOutputPort())
+        contour.SetCasterConnection(sphere.GetOutputPort())
+        contour.Update()
+        curves = contour.GetOutput()
+        self.assertEqual(curves.GetNumberOfLines(), 1)
+        self.assertGreater(curves.GetNumberOfPoints(), 20)
+        for i in range(curves.GetNumberOfPoints()):
+            x, y, z = curves.GetPoint(i)
+            self.assertAlmostEqual(math.hypot(x, y), 3 / math.sqrt(15), delta=1e-2)
+            self.assertAlmostEqual(z, -1)
 
     def test_check_of_an_open_sphere(self):
         sphere = self.sphere()

@@ -4,13 +4,17 @@
 #include "ContourScenes.h"
 #include "OutputComparison.h"
 #include "ShadowPipeline.h"
+#include "Tolerances.h"
 
 #include <vtkCastShadowContour.h>
+#include <vtkCellArray.h>
 #include <vtkExecutive.h>
+#include <vtkMath.h>
 #include <vtkTestErrorObserver.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 
 namespace
@@ -47,6 +51,29 @@ struct ContourPipeline
   vtkNew<vtkCastShadowContour> Contour;
   vtkNew<vtkTest::ErrorObserver> Errors;
 };
+}
+
+namespace
+{
+double lengthOf(vtkPolyData* lines)
+{
+  double sum = 0.0;
+  for (vtkIdType line = 0; line < lines->GetNumberOfLines(); ++line)
+  {
+    vtkIdType count;
+    const vtkIdType* ids;
+    lines->GetLines()->GetCellAtId(line, count, ids);
+    for (vtkIdType i = 0; i + 1 < count; ++i)
+    {
+      double from[3];
+      double to[3];
+      lines->GetPoint(ids[i], from);
+      lines->GetPoint(ids[i + 1], to);
+      sum += std::sqrt(vtkMath::Distance2BetweenPoints(from, to));
+    }
+  }
+  return sum;
+}
 }
 
 TEST(ContourScenes, LinesAreClosedOrEndWhereTheyMay)
@@ -87,4 +114,42 @@ TEST(ContourScenes, LinesAreClosedOrEndWhereTheyMay)
   EXPECT_GT(all.EndsAtBorders, several);
   EXPECT_GT(all.EndsAtCasters, several / 4);
   EXPECT_LT(refused, count / 8);
+}
+
+// Hidden parts are cut out of lines and nothing is lost, whatever touches or pierces whatever.
+TEST(ContourScenes, HiddenAndVisiblePartsAreTheWhole)
+{
+  const std::uint64_t first = fromEnvironment("SMOOTHSHADOW_TEST_SEED", 1);
+  const std::uint64_t count = fromEnvironment("SMOOTHSHADOW_TEST_SCENES", 1000);
+  double hidden = 0.0;
+  double visible = 0.0;
+  for (std::uint64_t seed = first; seed < first + count && !HasFailure(); ++seed)
+  {
+    const shadowtest::ContourScene scene = shadowtest::randomContourScene(seed);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", " + scene.Kind);
+    ContourPipeline pipeline(scene, shadowtest::AllKinds[seed % 3]);
+    pipeline.Contour->Update();
+    if (pipeline.Errors->GetError())
+    {
+      continue;
+    }
+    const double whole = lengthOf(pipeline.Contour->GetOutput());
+    for (vtkPolyData* caster : scene.Casters)
+    {
+      pipeline.Contour->AddInputData(2, caster);
+    }
+    pipeline.Contour->KeepHiddenOn();
+    pipeline.Contour->Update();
+    EXPECT_EQ(shadowtest::nonFiniteNumbers(pipeline.Contour->GetOutput()), 0);
+    EXPECT_NEAR(
+      lengthOf(pipeline.Contour->GetOutput()), whole, shadowtest::tolerance::Moved * whole);
+    pipeline.Contour->KeepHiddenOff();
+    pipeline.Contour->Update();
+    const double seen = lengthOf(pipeline.Contour->GetOutput());
+    EXPECT_LE(seen, (1.0 + shadowtest::tolerance::Moved) * whole);
+    visible += seen;
+    hidden += whole - seen;
+  }
+  EXPECT_GT(visible, static_cast<double>(count));
+  EXPECT_GT(hidden, static_cast<double>(count));
 }

@@ -25,7 +25,8 @@ Mesh terrain(Random& random, int cells, double half, double top, double relief, 
     {
       const double depth =
         whole ? random.integer(0, static_cast<int>(relief)) : random.uniform(0.0, relief);
-      mesh.addPoint({ half * (2.0 * i / cells - 1.0), half * (2.0 * j / cells - 1.0), top - depth });
+      mesh.addPoint(
+        { half * (2.0 * i / cells - 1.0), half * (2.0 * j / cells - 1.0), top - depth });
     }
   }
   const int row = cells + 1;

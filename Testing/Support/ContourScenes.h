@@ -36,7 +36,8 @@ struct LineReport
   vtkIdType Lines = 0;
   vtkIdType ClosedLines = 0;
   vtkIdType Segments = 0;
-  vtkIdType EndsAtBorders = 0; ///< edges of the receiver that are not two triangles facing the light
+  /// At edges of the receiver that are not between two triangles that face the light.
+  vtkIdType EndsAtBorders = 0;
   vtkIdType EndsAtCasters = 0; ///< where the silhouette pierces the receiver
   vtkIdType BadEnds = 0;       ///< anywhere else
   vtkIdType BadClosed = 0;     ///< `Closed` does not say whether the last point is the first

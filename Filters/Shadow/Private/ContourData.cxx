@@ -205,7 +205,8 @@ void writeContours(const shadow::CastContours& contours, const ContourInput& inp
   using Line = shadow::ContourLine;
   addCellArray(output, "Receiver", contours,
     [](const Line& line) { return static_cast<int>(line.receiver); });
-  addCellArray(output, "Caster", contours, [&](const Line& line) { return input.input[line.loop]; });
+  addCellArray(
+    output, "Caster", contours, [&](const Line& line) { return input.input[line.loop]; });
   addCellArray(output, "Loop", contours, [&](const Line& line) { return input.cell[line.loop]; });
   addCellArray(output, "Visible", contours, [](const Line& line) { return line.visible ? 1 : 0; });
   addCellArray(output, "Closed", contours, [](const Line& line) { return line.closed ? 1 : 0; });
