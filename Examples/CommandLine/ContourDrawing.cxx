@@ -129,8 +129,7 @@ Json WriteDrawing(vtkPolyData* contours, const std::vector<Mesh>& meshes, double
   DrawingOptions chosen = options;
   chosen.Scene.Lights = { light };
   const Drawing drawing(meshes, featureAngle, chosen);
-  DrawingView view(drawing.View, options.Parallel, options.Scene.Size);
-  view.SetBlockers(drawing.Surfaces);
+  const DrawingView view(drawing.View, options.Parallel, options.Scene.Size, drawing.Surfaces);
 
   std::vector<SvgDrawing::Layer> layers = {
     { "hidden-contours", "Shadow contours in shadow", "#7f8fa6", 1.5, true,

@@ -1,6 +1,5 @@
 #include "DrawingView.h"
 
-#include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
 #include <vtkPointData.h>
 
@@ -9,14 +8,11 @@
 
 namespace
 {
-// In sizes of the scene: a line lies on the surface, from which rays to the eye begin this far away.
-constexpr double Bias = 1e-5;
 // In distances of the point looked at: what is nearer to the eye is not drawn.
 constexpr double NearPlane = 1e-3;
 constexpr double StepsOnSheet = 500.0;
 // In heights of the sheet: shorter pieces would be dots, as lines are wider.
 constexpr double ShortestPiece = 1e-3;
-constexpr int Halvings = 12;
 constexpr int MostSteps = 10000; // a segment that comes near to the eye is seen very long
 
 double Dot(const Vector3& a, const Vector3& b)
@@ -57,9 +53,11 @@ double LengthOf(const std::vector<Point2>& piece)
 }
 }
 
-DrawingView::DrawingView(const Camera& camera, bool parallel, const std::array<int, 2>& size)
+DrawingView::DrawingView(const Camera& camera, bool parallel, const std::array<int, 2>& size,
+  const std::vector<vtkPolyData*>& blockers)
   : Position(camera.Eye)
   , Parallel(parallel)
+  , Sight(blockers)
 {
   const Vector3 gaze = Along(camera.At, -1.0, camera.Eye);
   this->Distance = std::sqrt(Dot(gaze, gaze));
@@ -69,22 +67,6 @@ DrawingView::DrawingView(const Camera& camera, bool parallel, const std::array<i
   const double degree = std::acos(-1.0) / 180.0;
   this->SheetHeight = 2.0 * this->Distance * std::tan(0.5 * camera.Angle * degree);
   this->SheetWidth = this->SheetHeight * size[0] / size[1];
-}
-
-void DrawingView::SetBlockers(const std::vector<vtkPolyData*>& meshes)
-{
-  vtkNew<vtkAppendPolyData> all;
-  all->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  for (vtkPolyData* mesh : meshes)
-  {
-    all->AddInputData(mesh);
-  }
-  all->Update();
-  this->Blockers->SetPoints(all->GetOutput()->GetPoints());
-  this->Blockers->SetPolys(all->GetOutput()->GetPolys());
-  this->Size = this->Blockers->GetLength();
-  this->Locator->SetDataSet(this->Blockers);
-  this->Locator->BuildLocator();
 }
 
 Homogeneous DrawingView::Eye() const
@@ -110,88 +92,38 @@ Point2 DrawingView::Project(const Vector3& point) const
 
 bool DrawingView::IsSeen(const Vector3& point) const
 {
-  if (!this->IsBefore(point))
-  {
-    return false;
-  }
-  if (this->Size == 0.0)
-  {
-    return true;
-  }
-  // Of parallel projection the eye is beyond all that could block.
-  const Vector3 away = Along(point, -1.0, this->Position);
-  const Vector3 eye = this->Parallel
-    ? Along(point, -2.0 * (this->Size + std::sqrt(Dot(away, away))), this->Forward)
-    : this->Position;
-  Vector3 start = Along(point, Bias * this->Size, Unit(Along(eye, -1.0, point)));
-  Vector3 end = eye;
-  double at;
-  Vector3 hit;
-  double parametric[3];
-  int part;
-  vtkIdType cell;
-  return this->Locator->IntersectWithLine(
-           start.data(), end.data(), 0.0, at, hit.data(), parametric, part, cell) == 0;
+  return this->IsBefore(point) && this->Sight.IsFree(point, this->Eye());
 }
 
-DrawnLine DrawingView::Draw(
-  const std::vector<Vector3>& line, const std::vector<Vector3>& tests) const
+DrawnLine DrawingView::Draw(const Polyline3& line, const Polyline3& tests) const
 {
-  const std::vector<Vector3>& looked = tests.empty() ? line : tests;
+  const Polyline3& looked = tests.empty() ? line : tests;
+  const auto steps = [&](std::size_t i)
+  {
+    if (!this->IsBefore(line[i]) || !this->IsBefore(line[i + 1]))
+    {
+      return MostSteps;
+    }
+    const double length = LengthOf({ this->Project(line[i]), this->Project(line[i + 1]) });
+    return static_cast<int>(std::clamp(
+      std::ceil(length * StepsOnSheet / this->SheetHeight), 1.0, static_cast<double>(MostSteps)));
+  };
   DrawnLine pieces;
-  bool seen = !line.empty() && this->IsSeen(looked[0]);
-  if (seen)
+  for (const Polyline3& part : PartsOf(line,
+         [&](std::size_t i, double share)
+         { return this->IsSeen(Mix(looked[i], looked[i + 1], share)); },
+         steps))
   {
-    pieces.push_back({ this->Project(line[0]) });
-  }
-  for (std::size_t i = 0; i + 1 < line.size(); ++i)
-  {
-    const auto isSeen = [&](double share)
-    { return this->IsSeen(Mix(looked[i], looked[i + 1], share)); };
-    const auto place = [&](double share)
-    { return this->Project(Mix(line[i], line[i + 1], share)); };
-    int steps = MostSteps;
-    if (this->IsBefore(line[i]) && this->IsBefore(line[i + 1]))
+    std::vector<Point2> piece;
+    for (const Vector3& point : part)
     {
-      const Point2 from = place(0.0);
-      const Point2 to = place(1.0);
-      const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
-      steps = static_cast<int>(std::clamp(std::ceil(length * StepsOnSheet / this->SheetHeight), 1.0,
-        static_cast<double>(MostSteps)));
+      piece.push_back(this->Project(point));
     }
-    for (int step = 1; step <= steps; ++step)
+    if (LengthOf(piece) >= ShortestPiece * this->SheetHeight)
     {
-      double before = static_cast<double>(step - 1) / steps;
-      double after = static_cast<double>(step) / steps;
-      if (isSeen(after) == seen)
-      {
-        continue;
-      }
-      for (int halving = 0; halving < Halvings; ++halving)
-      {
-        const double middle = 0.5 * (before + after);
-        (isSeen(middle) == seen ? before : after) = middle;
-      }
-      const double change = seen ? before : after;
-      if (seen)
-      {
-        pieces.back().push_back(place(change));
-      }
-      else
-      {
-        pieces.push_back({ place(change) });
-      }
-      seen = !seen;
-    }
-    if (seen)
-    {
-      pieces.back().push_back(place(1.0));
+      pieces.push_back(piece);
     }
   }
-  pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
-                 [this](const std::vector<Point2>& piece)
-                 { return LengthOf(piece) < ShortestPiece * this->SheetHeight; }),
-    pieces.end());
   return pieces;
 }
 
@@ -205,8 +137,8 @@ std::vector<DrawnLine> DrawingView::DrawAll(vtkPolyData* lines, double outwards)
     vtkIdType count;
     const vtkIdType* ids;
     lines->GetLines()->GetCellAtId(cell, count, ids);
-    std::vector<Vector3> line;
-    std::vector<Vector3> tests;
+    Polyline3 line;
+    Polyline3 tests;
     for (vtkIdType i = 0; i < count; ++i)
     {
       Vector3 point;

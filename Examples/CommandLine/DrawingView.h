@@ -4,22 +4,17 @@
 #ifndef DrawingView_h
 #define DrawingView_h
 
+#include "LineOfSight.h"
 #include "Scene.h"
 #include "SvgDrawing.h"
-
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkStaticCellLocator.h>
 
 class DrawingView
 {
 public:
   /// Perspective, or a parallel projection along the camera's gaze that shows what is at the point
-  /// that it looks at as large. `size` counts by its proportions alone.
-  DrawingView(const Camera& camera, bool parallel, const std::array<int, 2>& size);
-
-  /// Triangles, with finite points, that hide what is behind them.
-  void SetBlockers(const std::vector<vtkPolyData*>& meshes);
+  /// that it looks at as large. `size` counts by its proportions alone. The blockers hide what is behind them.
+  DrawingView(const Camera& camera, bool parallel, const std::array<int, 2>& size,
+    const std::vector<vtkPolyData*>& blockers);
 
   /// The eye, homogeneous: w = 0 in parallel projection.
   Homogeneous Eye() const;
@@ -40,7 +35,7 @@ public:
   /// visibility is looked at, or empty. Looked at are places at most a 500th of the sheet's height
   /// apart; where it changes in between is then halved down to a 2,000,000th.
   /// Pieces shorter than a 1000th are left out.
-  DrawnLine Draw(const std::vector<Vector3>& line, const std::vector<Vector3>& tests) const;
+  DrawnLine Draw(const Polyline3& line, const Polyline3& tests = {}) const;
 
   /// All lines of the data; if it has them, with the points moved by `outwards` along `Normals` for
   /// the look.
@@ -57,9 +52,7 @@ private:
   bool Parallel;
   double SheetWidth;
   double SheetHeight;
-  vtkNew<vtkPolyData> Blockers;
-  vtkNew<vtkStaticCellLocator> Locator;
-  double Size = 0.0; // of the blockers
+  LineOfSight Sight;
 };
 
 #endif
