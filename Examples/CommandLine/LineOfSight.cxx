@@ -1,7 +1,9 @@
 #include "LineOfSight.h"
 
-#include <vtkAppendPolyData.h>
+#include <vtkBoundingBox.h>
+#include <vtkNew.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -22,18 +24,21 @@ double Length(const Vector3& a)
 
 LineOfSight::LineOfSight(const std::vector<vtkPolyData*>& meshes)
 {
-  vtkNew<vtkAppendPolyData> all;
-  all->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  vtkBoundingBox bounds;
   for (vtkPolyData* mesh : meshes)
   {
-    all->AddInputData(mesh);
+    // Without its lines, which hide nothing.
+    vtkNew<vtkPolyData> surface;
+    surface->SetPoints(mesh->GetPoints());
+    surface->SetPolys(mesh->GetPolys());
+    auto locator = vtkSmartPointer<vtkStaticCellLocator>::New();
+    locator->SetDataSet(surface);
+    locator->BuildLocator();
+    this->Locators.push_back(locator);
+    bounds.AddBounds(mesh->GetBounds());
   }
-  all->Update();
-  this->Blockers->SetPoints(all->GetOutput()->GetPoints());
-  this->Blockers->SetPolys(all->GetOutput()->GetPolys());
-  this->Size = this->Blockers->GetLength();
-  this->Locator->SetDataSet(this->Blockers);
-  this->Locator->BuildLocator();
+  bounds.GetBounds(this->Bounds);
+  this->Size = bounds.GetDiagonalLength();
 }
 
 bool LineOfSight::IsFree(const Vector3& point, const Homogeneous& eye) const
@@ -42,18 +47,22 @@ bool LineOfSight::IsFree(const Vector3& point, const Homogeneous& eye) const
     eye[2] - eye[3] * point[2] };
   const double distance = Length(towards);
   // An eye at infinity is beyond all that could block.
-  double* bounds = this->Blockers->GetBounds();
-  const Vector3 away = { point[0] - bounds[0], point[1] - bounds[2], point[2] - bounds[4] };
+  const Vector3 away = { point[0] - this->Bounds[0], point[1] - this->Bounds[2],
+    point[2] - this->Bounds[4] };
   const double reach = eye[3] != 0.0 ? distance : 2.0 * (this->Size + Length(away));
   Vector3 start = Along(point, Bias * this->Size / distance, towards);
   Vector3 end = Along(point, reach / distance, towards);
-  double at;
-  Vector3 hit;
-  double parametric[3];
-  int part;
-  vtkIdType cell;
-  return this->Locator->IntersectWithLine(
-           start.data(), end.data(), 0.0, at, hit.data(), parametric, part, cell) == 0;
+  return std::none_of(this->Locators.begin(), this->Locators.end(),
+    [&](vtkStaticCellLocator* locator)
+    {
+      double at;
+      Vector3 hit;
+      double parametric[3];
+      int part;
+      vtkIdType cell;
+      return locator->IntersectWithLine(
+               start.data(), end.data(), 0.0, at, hit.data(), parametric, part, cell) != 0;
+    });
 }
 
 std::vector<Polyline3> PartsOf(const Polyline3& line, const PartTest& isIn,

@@ -6,8 +6,8 @@
 
 #include "Numbers.h"
 
-#include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStaticCellLocator.h>
 
 #include <functional>
@@ -26,8 +26,9 @@ public:
   bool IsFree(const Vector3& point, const Homogeneous& eye) const;
 
 private:
-  vtkNew<vtkPolyData> Blockers;
-  vtkNew<vtkStaticCellLocator> Locator;
+  // One a mesh, as small meshes may lie among large ones.
+  std::vector<vtkSmartPointer<vtkStaticCellLocator>> Locators;
+  double Bounds[6];
   double Size = 0.0;
 };
 
