@@ -4,7 +4,9 @@ import json
 import struct
 import xml.etree.ElementTree
 
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkCommonComputationalGeometry import vtkParametricTorus
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData
+from vtkmodules.vtkFiltersSources import vtkParametricFunctionSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
@@ -82,6 +84,35 @@ def write_gltf_sphere(path):
     }
     with open(path, "w") as file:
         json.dump(document, file)
+    return path
+
+
+def write_torus(path, radius=1, tube=0.4, height=0):
+    """Around y, coarse, with the normals of the smooth one."""
+    shape = vtkParametricTorus()
+    shape.SetRingRadius(radius)
+    shape.SetCrossSectionRadius(tube)
+    source = vtkParametricFunctionSource()
+    source.SetParametricFunction(shape)
+    source.SetUResolution(25)
+    source.SetVResolution(17)
+    source.SetOutputPointsPrecision(1)
+    welded = vtkCleanPolyData()
+    welded.SetInputConnection(source.GetOutputPort())
+    welded.SetTolerance(1e-6)
+    welded.SetOutputPointsPrecision(1)
+    welded.Update()
+    mesh = welded.GetOutput()
+    normals = mesh.GetPointData().GetNormals()
+    for i in range(mesh.GetNumberOfPoints()):
+        x, y, z = mesh.GetPoint(i)
+        mesh.GetPoints().SetPoint(i, y, z + height, x)
+        x, y, z = normals.GetTuple3(i)
+        normals.SetTuple3(i, y, z, x)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(mesh)
+    writer.SetFileName(path)
+    writer.Write()
     return path
 
 

@@ -434,6 +434,15 @@ class Contour(ToolTest):
             self.assertEqual({y for _, y, _ in points}, {0})
             self.assert_points([(x, z) for x, _, z in points], self.SHADOW)
 
+    def test_builders(self):
+        found = [self.contour("out.vtp", "--builder", builder, casters=(BUNNY,),
+                              receivers=(BUNNY,))
+                 for builder in ("unsorted", "object-median", "morton")]
+        self.assertGreater(found[0]["leavesTested"], 1000)
+        for name in ("lines", "points", "leavesTested"):
+            self.assertEqual(len({statistics[name] for statistics in found}), 1, name)
+        self.assertEqual(len({statistics["nodesVisited"] for statistics in found}), 3)
+
     def test_hidden_contours(self):
         casters = ("box.obj", "small.obj")
         shown = self.contour("out.vtp", "--kind", "discrete", casters=casters)
@@ -533,6 +542,26 @@ class Contour(ToolTest):
                 self.assertAlmostEqual(math.hypot(x, y), 0.5, delta=5e-3)
             length += sum(math.dist(a, b) for a, b in zip(piece, piece[1:]))
         self.assertAlmostEqual(length, math.pi / 2, delta=0.05)
+
+    def test_outlines_and_shadow_of_a_torus(self):
+        # Seen from above it is a ring, of which the mesh's triangles hide a part of the inner
+        # circle; its shadow is beside it.
+        Meshes.write_torus(self.path("torus.vtp"), height=4)
+        statistics = self.statistics(
+            "contour", "--caster", "torus.vtp", "--receiver", "ground.obj", "-o", "out.svg",
+            "--light", "0.7,0.9,0.5,0", "--outlines", "--parallel", "--eye", "0,90,0", "--at",
+            "0,0,0", "--angle", "7")
+        drawing = Meshes.Drawing(self.path("out.svg"))
+        for radius in (0.6, 1.4):
+            pieces = [piece for path in drawing.layers["outlines"] for piece in path
+                      if max(abs(math.hypot(*point) - radius) for point in piece) < 0.01]
+            length = sum(math.dist(a, b) for piece in pieces for a, b in zip(piece, piece[1:]))
+            self.assertAlmostEqual(length / (2 * math.pi * radius), 1, delta=0.01)
+        self.assertEqual((statistics["lines"], len(drawing.layers["contours"])), (2, 2))
+        for path in drawing.layers["contours"]:
+            piece, = path
+            self.assertEqual(piece[0], piece[-1])
+            self.assertGreater(len(piece), 20)
 
     def test_same_mesh_casts_and_receives(self):
         statistics = self.contour("out.vtp", casters=(BUNNY,), receivers=("ground.obj", BUNNY))
