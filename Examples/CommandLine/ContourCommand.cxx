@@ -196,9 +196,8 @@ void Run(const Arguments& arguments)
   if (IsDrawing(arguments))
   {
     progress.Show("drawing " + arguments.Output);
-    statistics["drawing"] = WriteDrawing(
-      contours, meshes.All, arguments.Silhouette.FeatureAngle, arguments.Light, arguments.Drawing,
-      output);
+    statistics["drawing"] = WriteDrawing(contours, meshes.All, arguments.Silhouette.FeatureAngle,
+      arguments.Light, arguments.Drawing, output);
   }
   else
   {
@@ -236,8 +235,8 @@ void AddDrawingOptions(CLI::App& command, DrawingOptions& drawing)
 // The first one that was given of those that a drawing alone has use for.
 std::string GivenDrawingOption(const CLI::App& command)
 {
-  for (const char* option : { "--outlines", "--parallel", "--scale", "--eye", "--at", "--up",
-         "--angle", "--size" })
+  for (const char* option :
+    { "--outlines", "--parallel", "--scale", "--eye", "--at", "--up", "--angle", "--size" })
   {
     if (command.count(option) > 0)
     {
@@ -254,8 +253,8 @@ void AddContourCommand(CLI::App& app, std::function<void()>& chosen)
   CLI::App& command = *app.add_subcommand(
     "contour", "Write the curves at which cast shadows begin on meshes (VTP), or draw them (SVG)");
   AddMeshesOption(command, "--caster", arguments->Casters, "the meshes that cast");
-  AddMeshesOption(command, "--receiver", arguments->Receivers,
-    "those on which shadows fall; a mesh may do both");
+  AddMeshesOption(
+    command, "--receiver", arguments->Receivers, "those on which shadows fall; a mesh may do both");
   command.add_option("-o,--output", arguments->Output, "the file to write")
     ->required()
     ->type_name("FILE.vtp|FILE.svg");

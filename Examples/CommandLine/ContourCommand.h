@@ -1,5 +1,6 @@
 /**
- * `smoothshadow contour`: where shadows of meshes begin on others, as a VTP file or a drawing (SVG).
+ * `smoothshadow contour`: where shadows of meshes begin on others, as a VTP file or a drawing
+ * (SVG).
  */
 #ifndef ContourCommand_h
 #define ContourCommand_h

@@ -98,8 +98,7 @@ bool DrawingView::IsSeen(const Vector3& point) const
 DrawnLine DrawingView::Draw(const Polyline3& line, const Polyline3& tests) const
 {
   const Polyline3& looked = tests.empty() ? line : tests;
-  const auto steps = [&](std::size_t i)
-  {
+  const auto steps = [&](std::size_t i) {
     if (!this->IsBefore(line[i]) || !this->IsBefore(line[i + 1]))
     {
       return MostSteps;
@@ -109,9 +108,11 @@ DrawnLine DrawingView::Draw(const Polyline3& line, const Polyline3& tests) const
       std::ceil(length * StepsOnSheet / this->SheetHeight), 1.0, static_cast<double>(MostSteps)));
   };
   DrawnLine pieces;
-  for (const Polyline3& part : PartsOf(line,
-         [&](std::size_t i, double share)
-         { return this->IsSeen(Mix(looked[i], looked[i + 1], share)); },
+  for (const Polyline3& part : PartsOf(
+         line,
+         [&](std::size_t i, double share) {
+           return this->IsSeen(Mix(looked[i], looked[i + 1], share));
+         },
          steps))
   {
     std::vector<Point2> piece;
@@ -129,8 +130,7 @@ DrawnLine DrawingView::Draw(const Polyline3& line, const Polyline3& tests) const
 
 std::vector<DrawnLine> DrawingView::DrawAll(vtkPolyData* lines, double outwards) const
 {
-  vtkDataArray* normals =
-    outwards > 0.0 ? lines->GetPointData()->GetArray("Normals") : nullptr;
+  vtkDataArray* normals = outwards > 0.0 ? lines->GetPointData()->GetArray("Normals") : nullptr;
   std::vector<DrawnLine> drawn;
   for (vtkIdType cell = 0; cell < lines->GetNumberOfLines(); ++cell)
   {

@@ -12,7 +12,8 @@ class DrawingView
 {
 public:
   /// Perspective, or a parallel projection along the camera's gaze that shows what is at the point
-  /// that it looks at as large. `size` counts by its proportions alone. The blockers hide what is behind them.
+  /// that it looks at as large. `size` counts by its proportions alone. The blockers hide what is
+  /// behind them.
   DrawingView(const Camera& camera, bool parallel, const std::array<int, 2>& size,
     const std::vector<vtkPolyData*>& blockers);
 

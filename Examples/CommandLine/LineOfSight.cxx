@@ -52,9 +52,8 @@ bool LineOfSight::IsFree(const Vector3& point, const Homogeneous& eye) const
   const double reach = eye[3] != 0.0 ? distance : 2.0 * (this->Size + Length(away));
   Vector3 start = Along(point, Bias * this->Size / distance, towards);
   Vector3 end = Along(point, reach / distance, towards);
-  return std::none_of(this->Locators.begin(), this->Locators.end(),
-    [&](vtkStaticCellLocator* locator)
-    {
+  return std::none_of(
+    this->Locators.begin(), this->Locators.end(), [&](vtkStaticCellLocator* locator) {
       double at;
       Vector3 hit;
       double parametric[3];
@@ -65,8 +64,8 @@ bool LineOfSight::IsFree(const Vector3& point, const Homogeneous& eye) const
     });
 }
 
-std::vector<Polyline3> PartsOf(const Polyline3& line, const PartTest& isIn,
-  const std::function<int(std::size_t segment)>& steps)
+std::vector<Polyline3> PartsOf(
+  const Polyline3& line, const PartTest& isIn, const std::function<int(std::size_t segment)>& steps)
 {
   std::vector<Polyline3> parts;
   bool in = line.size() > 1 && isIn(0, 0.0);

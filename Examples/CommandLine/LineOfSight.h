@@ -35,8 +35,8 @@ private:
 /// Whether a point is in; it is given by a line's segment and the share of the way along that.
 using PartTest = std::function<bool(std::size_t segment, double share)>;
 
-/// The parts of a line that are in. Looked at are both ends of each segment and `steps(segment)` - 1
-/// places between them; where it changes from one to the next is found by halving, 12 times. Each
+/// The parts of a line that are in. Looked at are both ends of each segment and `steps(segment)` -
+/// 1 places between them; where it changes from one to the next is found by halving, 12 times. Each
 /// part has the line's own points and those at which it changes.
 std::vector<Polyline3> PartsOf(const Polyline3& line, const PartTest& isIn,
   const std::function<int(std::size_t segment)>& steps);

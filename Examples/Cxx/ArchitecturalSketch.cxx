@@ -100,7 +100,8 @@ PolyData MakeChair()
   }
   for (const double z : { 0.58, 0.74, 0.9 })
   {
-    AddBox(boxes, { beam + gap, depth - 0.032, z }, { width - beam - gap, depth - 0.012, z + 0.07 });
+    AddBox(
+      boxes, { beam + gap, depth - 0.032, z }, { width - beam - gap, depth - 0.012, z + 0.07 });
   }
   // One mesh of welded boxes, without normals: all its edges are sharp.
   vtkNew<vtkCleanPolyData> welded;
@@ -149,8 +150,7 @@ PolyData MakeAnimal(const char* file)
   double bounds[6];
   OutputOf(turned)->GetBounds(bounds);
   const double scale = AnimalHeight / (bounds[5] - bounds[4]);
-  place->Translate(
-    -0.5 * (bounds[0] + bounds[1]), -0.5 * (bounds[2] + bounds[3]), -bounds[4]);
+  place->Translate(-0.5 * (bounds[0] + bounds[1]), -0.5 * (bounds[2] + bounds[3]), -bounds[4]);
   place->Scale(scale, scale, scale);
   place->Translate(0.23, 0.2, SeatHeight + 1e-4);
   vtkNew<vtkPolyDataNormals> normals;
@@ -203,8 +203,7 @@ PolyData CastContoursOf(const Model& model, const std::vector<vtkPolyData*>& rec
   // Discrete, as then what is hidden is told exactly, by the triangles that the hatching is by.
   for (vtkPolyData* caster : { model.Chair.Get(), model.Animal.Get() })
   {
-    contour->AddInputDataObject(
-      0, SilhouetteOf(caster, Sun, vtkSmoothLightSilhouette::DISCRETE));
+    contour->AddInputDataObject(0, SilhouetteOf(caster, Sun, vtkSmoothLightSilhouette::DISCRETE));
     contour->AddInputDataObject(2, caster);
   }
   for (vtkPolyData* receiver : receivers)
@@ -314,16 +313,14 @@ std::vector<Polyline3> Hatching(const Model& model)
   {
     for (const Polyline3& line : LinesInPlanes(surface))
     {
-      const auto isDark = [&](std::size_t i, double share)
-      {
+      const auto isDark = [&](std::size_t i, double share) {
         const Vector3& a = line[i];
         const Vector3& b = line[i + 1];
         return !sight.IsFree({ a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]),
                                a[2] + share * (b[2] - a[2]) },
           Sun);
       };
-      const auto steps = [&](std::size_t i)
-      {
+      const auto steps = [&](std::size_t i) {
         return 1 + static_cast<int>(LengthOf({ line[i], line[i + 1] }) / HatchStep);
       };
       for (const Polyline3& part : PartsOf(line, isDark, steps))

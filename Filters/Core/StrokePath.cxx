@@ -26,11 +26,15 @@ public:
   Unsteadiness(const StrokeLine& line, std::uint64_t seed, double length, double step)
     : Key(mixed(mixed(seed) ^ line.number))
   {
-    const double steps = std::clamp(length / step, 1.0, mostWobbles);
-    // On a closed line a whole number of them, so that its end continues its start.
     this->Closed = line.closed;
-    this->Steps = line.closed ? std::round(steps) : steps;
-    this->StepLength = length / this->Steps;
+    this->StepLength = std::max(step, length / mostWobbles);
+    this->Steps = length / this->StepLength;
+    if (this->Closed)
+    {
+      // A whole number of them, so that its end continues its start.
+      this->Steps = std::max(1.0, std::round(this->Steps));
+      this->StepLength = length / this->Steps;
+    }
   }
 
   double stepLength() const { return this->StepLength; }
@@ -86,8 +90,7 @@ std::vector<PathPoint> lifted(
 
 void overshoot(std::vector<PathPoint>& path, const StrokeSettings& settings, const StrokeView& view)
 {
-  const auto drawOut = [&](PathPoint& end, const Vec3& before)
-  {
+  const auto drawOut = [&](PathPoint& end, const Vec3& before) {
     const double by = settings.overshoot * settings.width * view.unit(end.at);
     const Vec3 at = end.at + by * unitOrZero(end.at - before);
     if (view.unit(at) > 0.0)
@@ -139,8 +142,8 @@ std::vector<double> cuts(
 }
 
 /// The path with points at the cuts; `lengths` becomes that of its points, and all around.
-std::vector<PathPoint> cutAt(const std::vector<double>& cuts, const std::vector<PathPoint>& path,
-  std::vector<double>& lengths)
+std::vector<PathPoint> cutAt(
+  const std::vector<double>& cuts, const std::vector<PathPoint>& path, std::vector<double>& lengths)
 {
   std::vector<PathPoint> points;
   std::vector<double> places;
@@ -195,8 +198,8 @@ std::vector<Vec3> leftOfSegments(
   {
     left[i] = view.left(path[i].at, path[(i + 1) % path.size()].at - path[i].at);
   }
-  const auto known = std::find_if(
-    left.begin(), left.end(), [](const Vec3& side) { return side != Vec3(0.0); });
+  const auto known =
+    std::find_if(left.begin(), left.end(), [](const Vec3& side) { return side != Vec3(0.0); });
   Vec3 last(0.0);
   if (known != left.end())
   {
@@ -228,13 +231,18 @@ std::vector<PathPoint> strokePath(
   }
   std::vector<double> lengths = lengthsTo(path, line.closed, settings, view);
   const double length = lengths.back();
-  const Unsteadiness unsteadiness(line, settings.seed, length, settings.wobbleLength);
-  path = cutAt(cuts(length, line.closed, settings, unsteadiness), path, lengths);
-  if (settings.wobble > 0.0)
+  // What is lifted to one place or is beyond all widths has nothing that could be measured.
+  const bool isMeasured = length > 0.0 && std::isfinite(length);
+  if (isMeasured)
   {
-    makeUnsteady(path, lengths, line.closed, settings, view, unsteadiness);
+    const Unsteadiness unsteadiness(line, settings.seed, length, settings.wobbleLength);
+    path = cutAt(cuts(length, line.closed, settings, unsteadiness), path, lengths);
+    if (settings.wobble > 0.0)
+    {
+      makeUnsteady(path, lengths, line.closed, settings, view, unsteadiness);
+    }
   }
-  const double widening = line.closed ? 0.0 : settings.taper * length;
+  const double widening = isMeasured && !line.closed ? settings.taper * length : 0.0;
   for (std::size_t i = 0; i < path.size(); ++i)
   {
     const double toEnd = std::min(lengths[i], length - lengths[i]);

@@ -17,11 +17,11 @@ struct StrokeSettings
   double wobble = 0.0;        ///< widths: the most that the middle is to the left or right
   double wobbleLength = 40.0; ///< widths from one random offset to the next
   std::uint64_t seed = 1;
-  double lift = 0.5;          ///< widths
+  double lift = 0.5; ///< widths
 };
 
-/// A polyline of at least two points, no two in a row at the same place, all finite. The first point
-/// of a closed one is not repeated.
+/// A polyline of at least two points, no two in a row at the same place, all finite. The first
+/// point of a closed one is not repeated.
 struct StrokeLine
 {
   std::vector<Vec3> points;
@@ -43,8 +43,8 @@ struct PathPoint
 /// At each point moved by `lift` widths along the normal and as many along the direction into the
 /// shadow; without normals towards the eye, which leaves its place in the picture.
 ///
-/// Offsets to the left and right follow a smooth curve through random numbers of -1 to 1 that depend
-/// on the seed and the line's number alone; a line has at most 4,096 of them.
+/// Offsets to the left and right follow a smooth curve through random numbers of -1 to 1 that
+/// depend on the seed and the line's number alone; a line has at most 4,096 of them.
 std::vector<PathPoint> strokePath(
   const StrokeLine& line, const StrokeSettings& settings, const StrokeView& view);
 

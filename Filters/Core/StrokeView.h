@@ -5,8 +5,9 @@
 
 namespace shadow
 {
-/// An eye, homogeneous as a light is. In pixels widths are measured in a picture: in planes at right
-/// angles to the direction of projection; in world units at right angles to each line of sight.
+/// An eye, homogeneous as a light is. In pixels widths are measured in a picture: in planes at
+/// right angles to the direction of projection; in world units at right angles to each line of
+/// sight.
 struct StrokeView
 {
   Light eye;
@@ -36,14 +37,13 @@ struct StrokeView
       : this->pixelSize * glm::dot(this->projection, this->ray(point));
   }
 
-  /// To the left of a line as it is seen, in the plane of widths: unit, or zero for a line of sight.
-  /// Along a straight line it is the same for all points.
+  /// To the left of a line as it is seen, in the plane of widths: unit, or zero for a line of
+  /// sight. Along a straight line it is the same for all points.
   Vec3 left(const Vec3& point, const Vec3& tangent) const
   {
     const Vec3 normal = glm::cross(tangent, this->ray(point));
-    return unitOrZero(this->inPixels
-        ? normal - glm::dot(normal, this->projection) * this->projection
-        : normal);
+    return unitOrZero(
+      this->inPixels ? normal - glm::dot(normal, this->projection) * this->projection : normal);
   }
 
   /// How long the way to another point is seen, in the plane of widths at the first one: 0 if the

@@ -46,7 +46,8 @@ public:
       if (first || last)
       {
         Corners& corners = first ? start[0] : end[segments - 1];
-        corners = this->straight(i, this->add(i, 0.0, Vec3(0.0)), this->Left[first ? 0 : segments - 1]);
+        corners =
+          this->straight(i, this->add(i, 0.0, Vec3(0.0)), this->Left[first ? 0 : segments - 1]);
         continue;
       }
       this->join(i, end[i > 0 ? i - 1 : segments - 1], start[i]);
@@ -65,9 +66,8 @@ private:
   std::size_t add(std::size_t point, double across, const Vec3& left)
   {
     const PathPoint& middle = this->Path[point];
-    this->Made.points.push_back(
-      { middle.at + across * middle.halfWidth * left, across, middle.from, middle.to,
-        middle.share });
+    this->Made.points.push_back({ middle.at + across * middle.halfWidth * left, across, middle.from,
+      middle.to, middle.share });
     return this->Made.points.size() - 1;
   }
 
@@ -148,15 +148,13 @@ Strokes makeStrokes(const std::vector<StrokeLine>& lines, const StrokeSettings& 
   const StrokeView& view, const RangeLoop& loop)
 {
   std::vector<Ribbon> ribbons(lines.size());
-  loop(lines.size(), 16,
-    [&](std::size_t begin, std::size_t end)
+  loop(lines.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
     {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const std::vector<PathPoint> path = strokePath(lines[i], settings, view);
-        ribbons[i] = RibbonMaker(path, lines[i].closed, view).make();
-      }
-    });
+      const std::vector<PathPoint> path = strokePath(lines[i], settings, view);
+      ribbons[i] = RibbonMaker(path, lines[i].closed, view).make();
+    }
+  });
   Strokes strokes;
   for (const Ribbon& ribbon : ribbons)
   {
@@ -165,21 +163,22 @@ Strokes makeStrokes(const std::vector<StrokeLine>& lines, const StrokeSettings& 
   }
   strokes.points.resize(strokes.firstPoint.back());
   strokes.triangles.resize(strokes.firstTriangle.back());
-  loop(lines.size(), 64,
-    [&](std::size_t begin, std::size_t end)
+  loop(lines.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
     {
-      for (std::size_t i = begin; i < end; ++i)
+      const std::size_t first = strokes.firstPoint[i];
+      std::size_t point = first;
+      for (const StrokePoint& from : ribbons[i].points)
       {
-        const std::size_t first = strokes.firstPoint[i];
-        std::copy(
-          ribbons[i].points.begin(), ribbons[i].points.end(), &strokes.points[0] + first);
-        std::size_t next = strokes.firstTriangle[i];
-        for (const auto& t : ribbons[i].triangles)
-        {
-          strokes.triangles[next++] = { first + t[0], first + t[1], first + t[2] };
-        }
+        strokes.points[point++] = from;
       }
-    });
+      std::size_t next = strokes.firstTriangle[i];
+      for (const auto& t : ribbons[i].triangles)
+      {
+        strokes.triangles[next++] = { first + t[0], first + t[1], first + t[2] };
+      }
+    }
+  });
   return strokes;
 }
 }

@@ -22,7 +22,7 @@ struct Strokes
 {
   std::vector<StrokePoint> points;
   std::vector<std::array<std::size_t, 3>> triangles; ///< numbers of points
-  std::vector<std::size_t> firstPoint{ 0 };    ///< of each line, and the end
+  std::vector<std::size_t> firstPoint{ 0 };          ///< of each line, and the end
   std::vector<std::size_t> firstTriangle{ 0 };
 };
 

@@ -29,8 +29,8 @@ int vtkContourStrokes::RequestData(
     return 0;
   }
   view.inPixels = this->WidthUnit == PIXELS;
-  view.projection = shadow::unitOrZero(
-    { this->ViewDirection[0], this->ViewDirection[1], this->ViewDirection[2] });
+  view.projection =
+    shadow::unitOrZero({ this->ViewDirection[0], this->ViewDirection[1], this->ViewDirection[2] });
   view.pixelSize = this->PixelSize;
   if (view.inPixels && view.projection == shadow::Vec3(0.0))
   {

@@ -52,8 +52,9 @@ public:
 
   ///@{
   /**
-   * The width of strokes, in pixels or world units. In world units it is measured at right angles to
-   * the line of sight, in pixels in the picture: exact wherever a point is in it. Default 1, WORLD.
+   * The width of strokes, in pixels or world units. In world units it is measured at right angles
+   * to the line of sight, in pixels in the picture: exact wherever a point is in it. Default 1,
+   * WORLD.
    */
   vtkSetClampMacro(Width, double, 1e-300, VTK_DOUBLE_MAX);
   vtkGetMacro(Width, double);

@@ -572,14 +572,18 @@ class Contour(ToolTest):
         self.fail_in("ground.obj", "lies on a silhouette", "contour", "--caster", "ground.obj",
                      "--receiver", "box.obj", "-o", "out.svg", "--light", "5,0,0.5")
 
-    def test_repeats_exactly(self):
+    def test_repeats_exactly_and_without_dots(self):
         texts = []
         for _ in range(2):
-            self.draw("--outlines", casters=(BUNNY,))
+            _, drawing = self.draw("--outlines", casters=(BUNNY,))
             with open(self.path("out.svg"), "rb") as file:
                 texts.append(file.read())
         self.assertGreater(len(texts[0]), 10000)
         self.assertEqual(texts[0], texts[1])
+        lengths = [sum(map(math.dist, piece, piece[1:]))
+                   for paths in drawing.layers.values() for path in paths for piece in path]
+        self.assertGreater(len(lengths), 20)
+        self.assertGreater(min(lengths), 0.999e-3 * drawing.view[3])
 
     def test_without_json_a_line_for_people(self):
         line = self.succeed("contour", "--caster", "box.obj", "--receiver", "ground.obj", "-o",

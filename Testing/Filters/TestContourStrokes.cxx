@@ -162,8 +162,7 @@ Line zigzag(Random& random, int corners)
   {
     heading += random.uniform(-3.1, 3.1);
     const double step = random.chance(0.3) ? random.uniform(0.01, 0.1) : random.uniform(0.5, 3.0);
-    line.push_back(
-      line.back() + Vec3{ step * std::cos(heading), step * std::sin(heading), 0.0 });
+    line.push_back(line.back() + Vec3{ step * std::cos(heading), step * std::sin(heading), 0.0 });
   }
   return line;
 }
@@ -266,8 +265,7 @@ TEST(ContourStrokes, WidthIsExactInPixels)
       isPoint ? eye[2] : -forward[2], isPoint ? 1.0 : 0.0);
     strokes->SetViewDirection(2.0 * forward[0], 2.0 * forward[1], 2.0 * forward[2]);
     strokes->SetPixelSize(pixel);
-    const auto inPicture = [&](const Vec3& point)
-    {
+    const auto inPicture = [&](const Vec3& point) {
       const Vec3 ray = point - eye;
       const double scale = pixel * (isPoint ? dot(ray, forward) : 1.0);
       return Vec3{ dot(ray, right) / scale, dot(ray, up) / scale, 0.0 };
@@ -313,8 +311,8 @@ TEST(ContourStrokes, CornersAreFilled)
       // Around corners above all, which are round to a fiftieth: cos(pi / 16).
       const auto corner =
         static_cast<std::size_t>(random.integer(0, static_cast<int>(line.size()) - 1));
-      const Vec3 place = line[corner] +
-        Vec3{ random.uniform(-width, width), random.uniform(-width, width), 0.0 };
+      const Vec3 place =
+        line[corner] + Vec3{ random.uniform(-width, width), random.uniform(-width, width), 0.0 };
       const bool isAtEnd = !closed &&
         std::min(lengthOf(place - line.front()), lengthOf(place - line.back())) < 0.5 * width;
       if (!isAtEnd && distanceToLine(place, line, closed) < 0.49 * width)
@@ -325,6 +323,46 @@ TEST(ContourStrokes, CornersAreFilled)
     }
   }
   EXPECT_GT(sampled, 2000);
+}
+
+// The same of lines in space, in both units: seen from the eye each triangle is counter-clockwise.
+TEST(ContourStrokes, NothingIsTurnedOver)
+{
+  Random random(5);
+  vtkIdType triangles = 0;
+  for (int round = 0; round < 200; ++round)
+  {
+    SCOPED_TRACE("round " + std::to_string(round));
+    Line line;
+    for (int i = 0; i < 12; ++i)
+    {
+      const bool isShort = i > 0 && random.chance(0.4);
+      line.push_back(isShort ? line.back() + randomPoint(random, 0.03) : randomPoint(random, 1.0));
+    }
+    const auto strokes = strokesOf(linesOf({ line }, round % 3 == 0), 0.05);
+    const Vec3 eye = { 0.0, 0.0, 4.0 };
+    strokes->SetEyePosition(eye[0], eye[1], eye[2], 1.0);
+    if (round % 2 == 0)
+    {
+      strokes->SetWidthUnitToPixels();
+      strokes->SetWidth(6.0);
+      strokes->SetPixelSize(0.002);
+    }
+    strokes->SetTaper(round % 5 == 0 ? 0.4 : 0.0);
+    strokes->SetWobble(round % 7 == 0 ? 0.3 : 0.0);
+    const auto ribbon = update(strokes);
+    triangles += ribbon->GetNumberOfPolys();
+    for (vtkIdType cell = 0; cell < ribbon->GetNumberOfPolys(); ++cell)
+    {
+      vtkIdType count;
+      const vtkIdType* ids;
+      ribbon->GetPolys()->GetCellAtId(cell, count, ids);
+      const Vec3 a = pointOf(ribbon, ids[0]);
+      const Vec3 normal = cross(pointOf(ribbon, ids[1]) - a, pointOf(ribbon, ids[2]) - a);
+      EXPECT_GT(dot(normal, eye - a), -tolerance::SamePoint);
+    }
+  }
+  EXPECT_GT(triangles, 10000);
 }
 
 TEST(ContourStrokes, MitredAndRoundCorners)
@@ -384,8 +422,9 @@ TEST(ContourStrokes, LeavesOutWhatCannotBeDrawn)
   const Vec3 b{ 1.0, 0.0, 0.0 };
   const Vec3 c{ 2.0, 0.0, 0.0 };
   // Twice without length, once repeated points, once parted, once twice not finite.
-  const auto lines = linesOf({ { a }, { b, b, b }, { a, a, b, b, c }, { a, b, { nan, 0.0, 0.0 }, a, c },
-    { { 0.0, nan, 0.0 }, { 0.0, 0.0, std::numeric_limits<double>::infinity() } } });
+  const auto lines =
+    linesOf({ { a }, { b, b, b }, { a, a, b, b, c }, { a, b, { nan, 0.0, 0.0 }, a, c },
+      { { 0.0, nan, 0.0 }, { 0.0, 0.0, std::numeric_limits<double>::infinity() } } });
   lines->GetLines()->InsertNextCell({ 0, 4, 999, -1 });
   lines->GetLines()->InsertNextCell(0);
   const auto strokes = strokesOf(lines, 0.1);
@@ -421,8 +460,7 @@ TEST(ContourStrokes, LeavesOutWhatCannotBeDrawn)
   for (vtkIdType id = 0; id < 9; ++id)
   {
     const double across = ribbons->GetPointData()->GetArray("Across")->GetComponent(id, 0);
-    EXPECT_NEAR(
-      distanceToLine(pointOf(ribbons, id), bent, false), across == 0.0 ? 0.0 : 0.05,
+    EXPECT_NEAR(distanceToLine(pointOf(ribbons, id), bent, false), across == 0.0 ? 0.0 : 0.05,
       tolerance::SamePoint);
   }
   sight->SetWobble(0.5);
@@ -437,7 +475,8 @@ TEST(ContourStrokes, LeavesOutWhatCannotBeDrawn)
 TEST(ContourStrokes, PixelsNeedPointsBeforeTheEye)
 {
   const auto strokes = strokesOf(
-    linesOf({ { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 1.0, 0.0, 9.0 }, { 0.0, 1.0, 5.0 } } }), 2.0);
+    linesOf({ { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 1.0, 0.0, 9.0 }, { 0.0, 1.0, 5.0 } } }),
+    2.0);
   strokes->SetWidthUnitToPixels();
   strokes->SetEyePosition(0.0, 0.0, 5.0, 1.0);
   auto ribbon = update(strokes);
@@ -482,8 +521,8 @@ TEST(ContourStrokes, SameForAnyNumberOfThreads)
   vtkSMPTools::SetBackend(usual.c_str());
   ASSERT_GT(serial->GetNumberOfPolys(), 3000);
   EXPECT_TRUE(sameBytes(serial->GetPoints()->GetData(), threaded->GetPoints()->GetData()));
-  EXPECT_TRUE(sameBytes(serial->GetPolys()->GetConnectivityArray(),
-    threaded->GetPolys()->GetConnectivityArray()));
+  EXPECT_TRUE(sameBytes(
+    serial->GetPolys()->GetConnectivityArray(), threaded->GetPolys()->GetConnectivityArray()));
   EXPECT_EQ(differingArray(serial->GetCellData(), threaded->GetCellData()), "");
 }
 
@@ -542,6 +581,57 @@ TEST(ContourStrokes, WobbleStaysWithinItsBound)
   }
 }
 
+// A short line is hardly unsteady: over a tenth of the way from one random number to the next the
+// curve moves by less than 3% of the way between them, which is at most 2.
+TEST(ContourStrokes, ShortLinesAreSteady)
+{
+  const double width = 0.02;
+  std::vector<Line> lines;
+  for (int i = 0; i < 50; ++i)
+  {
+    lines.push_back({ { 0.0, 0.1 * i, 0.0 }, { 4.0 * width, 0.1 * i, 0.0 } });
+  }
+  const auto strokes = strokesOf(linesOf(lines), width);
+  strokes->SetWobble(1.0);
+  const Line middles = middlesOf(update(strokes));
+  ASSERT_EQ(middles.size(), 2 * lines.size());
+  double most = 0.0;
+  for (std::size_t i = 0; i < middles.size(); i += 2)
+  {
+    const double change = (middles[i + 1] - lines[i / 2][1])[1] - (middles[i] - lines[i / 2][0])[1];
+    most = std::max(most, std::fabs(change));
+  }
+  EXPECT_GT(most, 0.02 * width);
+  EXPECT_LT(most, 0.06 * width);
+}
+
+// Coordinates and widths at the ends of what doubles hold neither hang nor give what is not finite.
+TEST(ContourStrokes, ExtremeLengths)
+{
+  for (const double size : { 1e-200, 1e150, 1e300 })
+  {
+    for (const double width : { 1e-300, 1.0, 1e200 })
+    {
+      const auto strokes = strokesOf(
+        linesOf({ { { 0.0, 0.0, 0.0 }, { size, 0.0, 0.0 }, { size, size, 0.0 } } }), width);
+      strokes->SetWobble(0.5);
+      strokes->SetTaper(0.2);
+      strokes->SetOvershoot(1.0);
+      strokes->SetLift(0.5);
+      const auto ribbon = update(strokes);
+      EXPECT_GE(ribbon->GetNumberOfPoints(), 3);
+      EXPECT_LT(ribbon->GetNumberOfPoints(), 200000);
+      for (vtkIdType id = 0; id < ribbon->GetNumberOfPoints(); ++id)
+      {
+        for (const double coordinate : pointOf(ribbon, id))
+        {
+          EXPECT_TRUE(std::isfinite(coordinate)) << size << ", " << width;
+        }
+      }
+    }
+  }
+}
+
 TEST(ContourStrokes, TapersFromNothing)
 {
   const Line line = { { 0.0, 0.0, 0.0 }, { 4.0, 0.0, 0.0 }, { 10.0, 0.0, 0.0 } };
@@ -554,8 +644,7 @@ TEST(ContourStrokes, TapersFromNothing)
     for (vtkIdType id = 0; id < ribbon->GetNumberOfPoints(); ++id)
     {
       const Vec3 point = pointOf(ribbon, id);
-      const double share =
-        std::min(1.0, std::min(point[0], 10.0 - point[0]) / (10.0 * taper));
+      const double share = std::min(1.0, std::min(point[0], 10.0 - point[0]) / (10.0 * taper));
       places.insert(point[0]);
       const double across = ribbon->GetPointData()->GetArray("Across")->GetComponent(id, 0);
       EXPECT_NEAR(point[1], 0.15 * share * across, tolerance::SamePoint);
@@ -628,8 +717,8 @@ TEST(ContourStrokes, LiftedOffTheReceiverIntoTheShadow)
 
 TEST(ContourStrokes, DataComeAlong)
 {
-  const auto lines = linesOf({ { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } },
-    { { 0.0, 1.0, 0.0 }, { 1.0, 1.0, 0.0 } } });
+  const auto lines =
+    linesOf({ { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 }, { 1.0, 1.0, 0.0 } } });
   vtkNew<vtkCellArray> vertices;
   vertices->InsertNextCell({ 0 });
   lines->SetVerts(vertices);
@@ -650,8 +739,8 @@ TEST(ContourStrokes, DataComeAlong)
   const auto strokes = strokesOf(lines, 0.01);
   strokes->SetTaper(0.3);
   auto ribbons = update(strokes);
-  ASSERT_EQ(ribbons->GetPointData()->GetArray("X")->GetNumberOfTuples(),
-    ribbons->GetNumberOfPoints());
+  ASSERT_EQ(
+    ribbons->GetPointData()->GetArray("X")->GetNumberOfTuples(), ribbons->GetNumberOfPoints());
   for (vtkIdType id = 0; id < ribbons->GetNumberOfPoints(); ++id)
   {
     EXPECT_NEAR(ribbons->GetPointData()->GetArray("X")->GetComponent(id, 0),

@@ -48,8 +48,8 @@ public:
     {
       ids.pop_back();
       // From after a point that is left out, so that the rest is in one piece.
-      const auto bad = std::find_if(
-        ids.begin(), ids.end(), [this](vtkIdType id) { return !this->isDrawn(id); });
+      const auto bad =
+        std::find_if(ids.begin(), ids.end(), [this](vtkIdType id) { return !this->isDrawn(id); });
       if (bad != ids.end())
       {
         std::rotate(ids.begin(), bad, ids.end());
@@ -159,8 +159,8 @@ void addCount(vtkPolyData* output, const char* name, vtkIdType count)
   output->GetFieldData()->AddArray(array);
 }
 
-void writePoints(const shadow::Strokes& strokes, const StrokeInput& lines, vtkPolyData* input,
-  vtkPolyData* output)
+void writePoints(
+  const shadow::Strokes& strokes, const StrokeInput& lines, vtkPolyData* input, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -194,8 +194,8 @@ void writePoints(const shadow::Strokes& strokes, const StrokeInput& lines, vtkPo
   data->AddArray(across);
 }
 
-void writeTriangles(const shadow::Strokes& strokes, const StrokeInput& lines, vtkPolyData* input,
-  vtkPolyData* output)
+void writeTriangles(
+  const shadow::Strokes& strokes, const StrokeInput& lines, vtkPolyData* input, vtkPolyData* output)
 {
   const auto count = static_cast<vtkIdType>(strokes.triangles.size());
   vtkNew<vtkIdTypeArray> connectivity;
@@ -248,8 +248,8 @@ StrokeInput readLines(vtkPolyData* input, const shadow::StrokeView& view)
   return std::move(reader.found());
 }
 
-void writeStrokes(const shadow::Strokes& strokes, const StrokeInput& lines, vtkPolyData* input,
-  vtkPolyData* output)
+void writeStrokes(
+  const shadow::Strokes& strokes, const StrokeInput& lines, vtkPolyData* input, vtkPolyData* output)
 {
   writePoints(strokes, lines, input, output);
   writeTriangles(strokes, lines, input, output);
