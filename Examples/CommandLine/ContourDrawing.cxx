@@ -13,6 +13,7 @@
 #include <vtkStripper.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -130,6 +131,11 @@ Json WriteDrawing(vtkPolyData* contours, const std::vector<Mesh>& meshes, double
   chosen.Scene.Lights = { light };
   const Drawing drawing(meshes, featureAngle, chosen);
   const DrawingView view(drawing.View, options.Parallel, options.Scene.Size, drawing.Surfaces);
+  if (!std::isfinite(view.Width()) || !std::isfinite(view.Height()))
+  {
+    throw Failure("the scene is too large for a view of it", meshes.front().File,
+      "check the meshes' coordinates, or give --eye and --at");
+  }
 
   std::vector<SvgDrawing::Layer> layers = {
     { "hidden-contours", "Shadow contours in shadow", "#7f8fa6", 1.5, true,

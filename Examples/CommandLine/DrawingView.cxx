@@ -120,7 +120,8 @@ DrawnLine DrawingView::Draw(const Polyline3& line, const Polyline3& tests) const
     {
       piece.push_back(this->Project(point));
     }
-    if (LengthOf(piece) >= ShortestPiece * this->SheetHeight)
+    const double length = LengthOf(piece);
+    if (std::isfinite(length) && length >= ShortestPiece * this->SheetHeight)
     {
       pieces.push_back(piece);
     }

@@ -898,6 +898,25 @@ class NonFinitePoints(ToolTest):
                 self.assertEqual(statistics["meshes"][0]["nonFiniteTriangles"], touched)
                 self.assertGreater(statistics["lights"][0]["shadowedPixels"], 500)
 
+    def test_contours(self):
+        touched = Meshes.write_broken_sphere(self.path("broken.vtp"), float("nan"), 17)
+        Meshes.write_broken_sphere(self.path("nothing.vtp"), float("nan"))
+        Meshes.write_broken_sphere(self.path("huge.vtp"), 1e300, 17)
+        Meshes.write_ground(self.path("ground.obj"), 5, -2)
+        common = ("--receiver", "ground.obj", "-o", "out.svg", "--light", "1,3,2", "--outlines")
+        statistics = self.statistics("contour", "--caster", "broken.vtp", *common)
+        self.assertEqual(statistics["casters"][0]["nonFiniteCells"], touched)
+        drawing = Meshes.Drawing(self.path("out.svg"))
+        for layer in ("contours", "creases", "outlines"):
+            self.assertTrue(drawing.layers[layer], layer)
+        points = [c for paths in drawing.layers.values() for path in paths for piece in path
+                  for point in piece for c in point]
+        self.assertTrue(all(map(math.isfinite, points)))
+        os.remove(self.path("out.svg"))
+        self.fail_in("nothing.vtp", "no triangle has finite points", "contour", "--caster",
+                     "nothing.vtp", *common)
+        self.fail_in("huge.vtp", "too large", "contour", "--caster", "huge.vtp", *common)
+
     def test_no_finite_triangle(self):
         mesh = self.path("mesh.vtp")
         touched = Meshes.write_broken_sphere(mesh, math.nan)
