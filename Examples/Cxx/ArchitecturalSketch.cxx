@@ -364,7 +364,7 @@ std::vector<Layer> MakeLayers(const Model& model)
     { { "animal-contours", "Shadow contours on the animal", 1.5, 0.1, 0.0, 0.3, 0.5, 0.20 },
       WithoutShort(CastContoursOf(model, { model.Animal }), 0.025) },
     { { "creases", "Creases", 1.7, 0.02, 6.0, 0.6, 2.0, 0.12 }, CreasesOf(model.Chair) },
-    { { "outlines", "Outlines", 2.4, 0.1, 1.0, 0.3, 2.0, 0.05 },
+    { { "outlines", "Outlines", 2.4, 0.1, 1.0, 0.3, 5.0, 0.05 },
       WithoutShort(SilhouetteOf(model.Animal, eye, vtkSmoothLightSilhouette::SMOOTH), 0.05) },
   };
 }
