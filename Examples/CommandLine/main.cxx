@@ -1,4 +1,5 @@
 #include "CheckCommand.h"
+#include "ContourCommand.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "RenderCommand.h"
@@ -107,10 +108,13 @@ int main(int argc, char* argv[])
              "  smoothshadow render bunny.obj --ground -o bunny.png\n"
              "  smoothshadow silhouette bunny.obj --light 2,4,3 -o silhouette.vtp\n"
              "  smoothshadow volume bunny.obj --light 0,1,0,0 -o volume.vtp --json\n"
+             "  smoothshadow contour --caster bunny.obj --receiver ground.obj --light 2,4,3 "
+             "-o bunny.svg\n"
              "  smoothshadow check bunny.obj");
   AddRenderCommand(app, command);
   AddSilhouetteCommand(app, command);
   AddVolumeCommand(app, command);
+  AddContourCommand(app, command);
   AddCheckCommand(app, command);
   const std::string unknown = UnknownCommand(app, argc, argv);
   if (!unknown.empty())

@@ -2,8 +2,11 @@
 import base64
 import json
 import struct
+import xml.etree.ElementTree
 
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkCommonComputationalGeometry import vtkParametricTorus
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData
+from vtkmodules.vtkFiltersSources import vtkParametricFunctionSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
@@ -84,6 +87,35 @@ def write_gltf_sphere(path):
     return path
 
 
+def write_torus(path, radius=1, tube=0.4, height=0):
+    """Around y, coarse, with the normals of the smooth one."""
+    shape = vtkParametricTorus()
+    shape.SetRingRadius(radius)
+    shape.SetCrossSectionRadius(tube)
+    source = vtkParametricFunctionSource()
+    source.SetParametricFunction(shape)
+    source.SetUResolution(25)
+    source.SetVResolution(17)
+    source.SetOutputPointsPrecision(1)
+    welded = vtkCleanPolyData()
+    welded.SetInputConnection(source.GetOutputPort())
+    welded.SetTolerance(1e-6)
+    welded.SetOutputPointsPrecision(1)
+    welded.Update()
+    mesh = welded.GetOutput()
+    normals = mesh.GetPointData().GetNormals()
+    for i in range(mesh.GetNumberOfPoints()):
+        x, y, z = mesh.GetPoint(i)
+        mesh.GetPoints().SetPoint(i, y, z + height, x)
+        x, y, z = normals.GetTuple3(i)
+        normals.SetTuple3(i, y, z, x)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(mesh)
+    writer.SetFileName(path)
+    writer.Write()
+    return path
+
+
 def write_obj(path, points, faces):
     with open(path, "w") as file:
         for point in points:
@@ -98,11 +130,54 @@ def write_tetrahedron(path, apex=(0, 0, 1)):
     return write_obj(path, points, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
 
 
+def write_box(path, low, high):
+    points = [tuple((high if corner >> axis & 1 else low)[axis] for axis in range(3))
+              for corner in range(8)]
+    return write_obj(path, points, [(0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3),
+                                    (0, 2, 3, 1), (4, 5, 7, 6)])
+
+
+def write_ground(path, half, height=0):
+    """Facing y."""
+    points = [(x, height, z) for x, z in ((-half, -half), (-half, half), (half, half),
+                                          (half, -half))]
+    return write_obj(path, points, [(0, 1, 2, 3)])
+
+
 def read_polydata(path):
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(path)
     reader.Update()
     return reader.GetOutput()
+
+
+class Drawing:
+    """Width, height and viewBox of an SVG file, and by the ids of its layers the points of their
+    paths: a list of pieces each, closed ones with their first point again."""
+
+    def __init__(self, path):
+        space = "{http://www.w3.org/2000/svg}"
+        inkscape = "{http://www.inkscape.org/namespaces/inkscape}"
+        root = xml.etree.ElementTree.parse(path).getroot()
+        if root.tag != space + "svg":
+            raise ValueError(root.tag)
+        self.width, self.height = root.get("width"), root.get("height")
+        self.view = [float(number) for number in root.get("viewBox").split()]
+        self.layers, self.labels = {}, {}
+        for group in root:
+            if group.tag != space + "g" or group.get(inkscape + "groupmode") != "layer":
+                raise ValueError(group.tag)
+            self.labels[group.get("id")] = group.get(inkscape + "label")
+            self.layers[group.get("id")] = [self.pieces(path.get("d")) for path in group]
+
+    @staticmethod
+    def pieces(data):
+        pieces = []
+        for text in data.split("M")[1:]:
+            points = [tuple(float(number) for number in pair.split(","))
+                      for pair in text.rstrip("Z").replace("L", " ").split()]
+            pieces.append(points + points[:1] if text.endswith("Z") else points)
+        return pieces
 
 
 class Image:

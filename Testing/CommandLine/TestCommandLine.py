@@ -387,6 +387,211 @@ class SilhouetteAndVolume(ToolTest):
         self.assertRegex(line, r"\Aout\.vtp: \d+ loops, \d+ points, .*\n\Z")
 
 
+class Contour(ToolTest):
+    """A box of height 2 on the ground y = 0, with a smaller one in its shadow. Towards the light is
+    (1, 2, -1): the shadow of the box's top is its base, moved by (-1, 1) in x and z."""
+    LIGHT = ("--light", "1,2,-1,0")
+    ABOVE = ("--parallel", "--eye", "0,9,0", "--at", "0,0,0")
+    SHADOW = [(0, 0), (-1, 1), (-1, 2), (0, 2), (1, 1)]
+
+    def setUp(self):
+        super().setUp()
+        Meshes.write_box(self.path("box.obj"), (0, 0, 0), (1, 2, 1))
+        Meshes.write_box(self.path("small.obj"), (-0.5, 0.5, 0.7), (-0.3, 0.6, 0.9))
+        Meshes.write_ground(self.path("ground.obj"), 5)
+
+    def contour(self, output, *options, casters=("box.obj",), receivers=("ground.obj",)):
+        return self.statistics("contour", "--caster", *casters, "--receiver", *receivers,
+                               "-o", output, *self.LIGHT, *options)
+
+    def draw(self, *options, **meshes):
+        statistics = self.contour("out.svg", *options, **meshes)
+        return statistics, Meshes.Drawing(self.path("out.svg"))
+
+    def assert_points(self, piece, wanted, delta=1e-6):
+        """Each wanted point is one of the piece, and each of the piece on a side between two."""
+        self.assertGreaterEqual(len(piece), len(wanted))
+        for point in wanted:
+            self.assertLess(min(math.dist(point, other) for other in piece), delta, point)
+        for point in piece:
+            self.assertLess(min(math.dist(point, a) + math.dist(point, b) - math.dist(a, b)
+                                for a, b in zip(wanted, wanted[1:])), delta, point)
+
+    def test_vtp(self):
+        for builder in ("unsorted", "object-median", "morton"):
+            statistics = self.contour("out.vtp", "--builder", builder, "--repeat", "2")
+            lines = Meshes.read_polydata(self.path("out.vtp"))
+            self.assertEqual(statistics["builder"], builder)
+            self.assertEqual((statistics["lines"], statistics["hiddenLines"]), (1, 0))
+            self.assertEqual(lines.GetNumberOfLines(), 1)
+            self.assertEqual(statistics["points"], lines.GetNumberOfPoints())
+            self.assertEqual(statistics["looseEnds"], 0)
+            self.assertGreater(statistics["leavesTested"], 0)
+            self.assertGreater(statistics["milliseconds"], 0)
+            self.assertEqual(statistics["casters"][0]["boundaryEdges"], 0)
+            self.assertEqual(statistics["receivers"][0]["polygons"], 1)
+            self.assertNotIn("drawing", statistics)
+            points = [lines.GetPoint(i) for i in range(lines.GetNumberOfPoints())]
+            self.assertEqual({y for _, y, _ in points}, {0})
+            self.assert_points([(x, z) for x, _, z in points], self.SHADOW)
+
+    def test_builders(self):
+        found = [self.contour("out.vtp", "--builder", builder, casters=(BUNNY,),
+                              receivers=(BUNNY,))
+                 for builder in ("unsorted", "object-median", "morton")]
+        self.assertGreater(found[0]["leavesTested"], 1000)
+        for name in ("lines", "points", "leavesTested"):
+            self.assertEqual(len({statistics[name] for statistics in found}), 1, name)
+        self.assertEqual(len({statistics["nodesVisited"] for statistics in found}), 3)
+
+    def test_hidden_contours(self):
+        casters = ("box.obj", "small.obj")
+        shown = self.contour("out.vtp", "--kind", "discrete", casters=casters)
+        self.assertEqual((shown["lines"], shown["hiddenLines"]), (1, 0))
+        kept = self.contour("out.vtp", "--kind", "discrete", "--keep-hidden", casters=casters)
+        self.assertEqual((kept["lines"], kept["hiddenLines"]), (2, 1))
+        visible = Meshes.read_polydata(self.path("out.vtp")).GetCellData().GetArray("Visible")
+        self.assertEqual({visible.GetValue(0), visible.GetValue(1)}, {0, 1})
+
+    def test_drawing_to_scale(self):
+        statistics, drawing = self.draw("--keep-hidden", "--scale", "20", "--kind", "discrete",
+                                        *self.ABOVE, casters=("box.obj", "small.obj"))
+        height = 2 * 9 * math.tan(math.radians(15))
+        left, top, width, shown = drawing.view
+        self.assertAlmostEqual(shown, height, 6)
+        self.assertAlmostEqual(width, height * 4 / 3, 6)
+        self.assertAlmostEqual(left, -width / 2, 6)
+        self.assertAlmostEqual(top, -height / 2, 6)
+        self.assertEqual(drawing.width[-2:] + drawing.height[-2:], "mmmm")
+        self.assertAlmostEqual(float(drawing.width[:-2]), 20 * width, 5)
+        self.assertAlmostEqual(float(drawing.height[:-2]), 20 * height, 5)
+        self.assertEqual(list(drawing.layers), ["hidden-contours", "contours"])
+        self.assertEqual(drawing.labels["contours"], "Shadow contours")
+        # From above x is to the right and z downwards. Its ends are under walls of the box: what
+        # is seen begins there up to the last halving of a step.
+        path, = drawing.layers["contours"]
+        piece, = path
+        self.assert_points(piece, self.SHADOW, delta=5e-6)
+        # Below the small box, of which half hides its own shadow.
+        hidden, = drawing.layers["hidden-contours"]
+        for x, y in (point for piece in hidden for point in piece):
+            self.assertTrue(-0.8 - 1e-6 < x < -0.55 + 1e-6 and 0.95 - 1e-6 < y < 1.2 + 1e-6)
+        self.assertEqual(statistics["drawing"]["paths"], {"hidden-contours": 1, "contours": 1})
+
+    def test_drawing_in_perspective(self):
+        statistics, drawing = self.draw("--eye", "-4,3,8", "--at", "0,1,0", "--size", "300x200",
+                                        "--angle", "40")
+        self.assertEqual((drawing.width, drawing.height), ("300", "200"))
+        self.assertEqual(statistics["drawing"]["camera"],
+                         {"eye": [-4, 3, 8], "at": [0, 1, 0], "up": [0, 1, 0], "angle": 40})
+        forward = (4, -2, -8)
+        distance = math.hypot(*forward)
+        forward = [c / distance for c in forward]
+        level = math.hypot(forward[0], forward[2])
+        right = (-forward[2] / level, 0, forward[0] / level)
+        up = (-forward[1] * forward[0] / level, level, -forward[1] * forward[2] / level)
+        self.assertAlmostEqual(drawing.view[3], 2 * distance * math.tan(math.radians(20)), 5)
+
+        def project(x, z):
+            ray = (x + 4, -3, z - 8)
+            along, across, upwards = (sum(a * b for a, b in zip(axis, ray))
+                                      for axis in (forward, right, up))
+            return distance * across / along, -distance * upwards / along
+        # Nothing is before it.
+        path, = drawing.layers["contours"]
+        piece, = path
+        self.assert_points(piece, [project(x, z) for x, z in self.SHADOW])
+
+    def test_what_is_behind_is_not_drawn(self):
+        _, drawing = self.draw("--parallel", "--eye", "0.5,20,-20", "--at", "0.5,0,0")
+        path, = drawing.layers["contours"]
+        # Seen from above at 45 degrees the box covers the ground up to z = 3, for x from 0 to 1.
+        self.assertGreater(len(path[0]), 2)
+        for x, _ in path[0]:
+            self.assertGreaterEqual(x, 0.5 - 1e-4)  # x = 0, to the right of the middle
+
+    def test_outlines_and_creases(self):
+        statistics, drawing = self.draw("--outlines", "--eye", "0.5,9,0.5", "--at", "0.5,0,0.5")
+        self.assertEqual(list(drawing.layers), ["hidden-contours", "contours", "creases",
+                                                "outlines"])
+        self.assertEqual(statistics["drawing"]["paths"]["creases"], len(drawing.layers["creases"]))
+        # The box's top is nearer, and hides all else of it.
+        top = 0.5 * 9 / 7
+        for layer in ("creases", "outlines"):
+            pieces = [piece for path in drawing.layers[layer] for piece in path]
+            points = [point for piece in pieces for point in piece]
+            for corner in ((-top, -top), (top, -top), (top, top), (-top, top),
+                           (-5.5, -5.5), (4.5, -5.5), (4.5, 4.5), (-5.5, 4.5)):
+                self.assertLess(min(math.dist(corner, point) for point in points), 1e-5)
+            for x, y in points:
+                onTop = max(abs(x), abs(y)) < 2
+                sides = (top - abs(x), top - abs(y)) if onTop else \
+                    (x + 5.5, y + 5.5, 4.5 - x, 4.5 - y)
+                # Nothing hides a line from what is nearer to it than 1e-5 of the scene's size.
+                self.assertAlmostEqual(min(sides), 0, delta=5e-5)
+
+    def test_round_outline(self):
+        Meshes.write_sphere(self.path("sphere.vtp"))
+        _, drawing = self.draw("--outlines", "--parallel", "--eye", "1,9,2", "--at", "0,0,0",
+                               casters=("sphere.vtp",))
+        # That of the smooth surface; a part of it is behind the ground.
+        pieces = [piece for path in drawing.layers["outlines"] for piece in path
+                  if max(map(math.hypot, *zip(*piece))) < 2]
+        length = 0
+        for piece in pieces:
+            for x, y in piece:
+                self.assertAlmostEqual(math.hypot(x, y), 0.5, delta=5e-3)
+            length += sum(math.dist(a, b) for a, b in zip(piece, piece[1:]))
+        self.assertAlmostEqual(length, math.pi / 2, delta=0.05)
+
+    def test_outlines_and_shadow_of_a_torus(self):
+        # Seen from above it is a ring, of which the mesh's triangles hide a part of the inner
+        # circle; its shadow is beside it.
+        Meshes.write_torus(self.path("torus.vtp"), height=4)
+        statistics = self.statistics(
+            "contour", "--caster", "torus.vtp", "--receiver", "ground.obj", "-o", "out.svg",
+            "--light", "0.7,0.9,0.5,0", "--outlines", "--parallel", "--eye", "0,90,0", "--at",
+            "0,0,0", "--angle", "7")
+        drawing = Meshes.Drawing(self.path("out.svg"))
+        for radius in (0.6, 1.4):
+            pieces = [piece for path in drawing.layers["outlines"] for piece in path
+                      if max(abs(math.hypot(*point) - radius) for point in piece) < 0.01]
+            length = sum(math.dist(a, b) for piece in pieces for a, b in zip(piece, piece[1:]))
+            self.assertAlmostEqual(length / (2 * math.pi * radius), 1, delta=0.01)
+        self.assertEqual((statistics["lines"], len(drawing.layers["contours"])), (2, 2))
+        for path in drawing.layers["contours"]:
+            piece, = path
+            self.assertEqual(piece[0], piece[-1])
+            self.assertGreater(len(piece), 20)
+
+    def test_same_mesh_casts_and_receives(self):
+        statistics = self.contour("out.vtp", casters=(BUNNY,), receivers=("ground.obj", BUNNY))
+        receivers = Meshes.read_polydata(self.path("out.vtp")).GetCellData().GetArray("Receiver")
+        self.assertEqual({receivers.GetValue(i) for i in range(statistics["lines"])}, {0, 1})
+
+    def test_light_on_a_caster(self):
+        self.fail_in("ground.obj", "lies on a silhouette", "contour", "--caster", "ground.obj",
+                     "--receiver", "box.obj", "-o", "out.svg", "--light", "5,0,0.5")
+
+    def test_repeats_exactly_and_without_dots(self):
+        texts = []
+        for _ in range(2):
+            _, drawing = self.draw("--outlines", casters=(BUNNY,))
+            with open(self.path("out.svg"), "rb") as file:
+                texts.append(file.read())
+        self.assertGreater(len(texts[0]), 10000)
+        self.assertEqual(texts[0], texts[1])
+        lengths = [sum(map(math.dist, piece, piece[1:]))
+                   for paths in drawing.layers.values() for path in paths for piece in path]
+        self.assertGreater(len(lengths), 20)
+        self.assertGreater(min(lengths), 0.999e-3 * drawing.view[3])
+
+    def test_without_json_a_line_for_people(self):
+        line = self.succeed("contour", "--caster", "box.obj", "--receiver", "ground.obj", "-o",
+                            "out.svg", *self.LIGHT)
+        self.assertRegex(line, r"\Aout\.svg: 1 contours, \d+ points, [0-9.e-]+ ms a light move\n\Z")
+
+
 class Check(ToolTest):
     """Defects are found, not failed at."""
 
@@ -497,6 +702,9 @@ class WrongUsage(ToolTest):
     SILHOUETTE = ("silhouette", "mesh.obj", "-o", "out.vtp", "--light", "1,2,3")
     VOLUME = ("volume", "mesh.obj", "-o", "out.vtp", "--light", "1,2,3")
 
+    CONTOUR = ("contour", "--caster", "mesh.obj", "--receiver", "mesh.obj", "-o", "out.vtp",
+               "--light", "1,2,3")
+
     def test_messages_name_option_and_value(self):
         Meshes.write_tetrahedron(self.path("mesh.obj"))
         cases = [
@@ -548,6 +756,18 @@ class WrongUsage(ToolTest):
             ((*self.VOLUME, "--extent", "far"), "far"),
             ((*self.VOLUME, "--plane-origin", "1,2"), "--plane-origin 1,2"),
             ((*self.VOLUME, "--plane-normal", "0,0,0"), "--plane-normal 0,0,0"),
+            (("contour", "--receiver", "mesh.obj", "-o", "out.vtp", "--light", "1,2,3"), "--caster"),
+            (("contour", "--caster", "mesh.obj", "-o", "out.vtp", "--light", "1,2,3"),
+             "--receiver"),
+            (self.CONTOUR[:-4], "--output"),
+            (self.CONTOUR[:-2], "--light"),
+            ((*self.CONTOUR[:-3], "out.png", "--light", "1,2,3"), ".vtp or .svg"),
+            ((*self.CONTOUR, "--builder", "guess"), "guess"),
+            ((*self.CONTOUR, "--kind", "none"), "none"),
+            ((*self.CONTOUR, "--outlines"), "--outlines"),
+            ((*self.CONTOUR, "--eye", "1,2,3"), "--eye"),
+            ((*self.CONTOUR, "--scale", "0"), "--scale 0"),
+            ((*self.CONTOUR, "--angle", "180"), "--angle 180"),
             (("check",), "mesh"),
             (("check", "mesh.obj", "second.obj"), "second.obj"),
             (("check", "mesh.obj", "--light", "1,2,3"), "--light"),
@@ -561,7 +781,7 @@ class WrongUsage(ToolTest):
     def test_help(self):
         for command, named in ((), "silhouette"), (("render",), "--mask"), \
                 (("silhouette",), "--tolerance"), (("volume",), "--caps"), \
-                (("check",), "--no-intersections"):
+                (("contour",), "--keep-hidden"), (("check",), "--no-intersections"):
             self.assertIn(named, self.succeed(*command, "--help"))
 
 
@@ -573,6 +793,12 @@ class BadInput(ToolTest):
         self.fail_in(file, what, "silhouette", file, "-o", "out.vtp", *light)
         self.fail_in(file, what, "volume", file, "-o", "out.vtp", *light, "--json")
         self.fail_in(file, what, "check", file)
+        if os.path.exists(self.path(file)):
+            Meshes.write_sphere(self.path("good.vtp"))
+        for meshes in (("--caster", file, "--receiver", file),
+                       ("--caster", "good.vtp", "--receiver", file)):
+            if meshes[1] == file or os.path.exists(self.path("good.vtp")):
+                self.fail_in(file, what, "contour", *meshes, "-o", "out.svg", *light)
 
     def write(self, name, content):
         with open(self.path(name), "wb") as file:
@@ -673,6 +899,25 @@ class NonFinitePoints(ToolTest):
                 self.assertEqual(statistics["meshes"][0]["nonFiniteTriangles"], touched)
                 self.assertGreater(statistics["lights"][0]["shadowedPixels"], 500)
 
+    def test_contours(self):
+        touched = Meshes.write_broken_sphere(self.path("broken.vtp"), float("nan"), 17)
+        Meshes.write_broken_sphere(self.path("nothing.vtp"), float("nan"))
+        Meshes.write_broken_sphere(self.path("huge.vtp"), 1e300, 17)
+        Meshes.write_ground(self.path("ground.obj"), 5, -2)
+        common = ("--receiver", "ground.obj", "-o", "out.svg", "--light", "1,3,2", "--outlines")
+        statistics = self.statistics("contour", "--caster", "broken.vtp", *common)
+        self.assertEqual(statistics["casters"][0]["nonFiniteCells"], touched)
+        drawing = Meshes.Drawing(self.path("out.svg"))
+        for layer in ("contours", "creases", "outlines"):
+            self.assertTrue(drawing.layers[layer], layer)
+        points = [c for paths in drawing.layers.values() for path in paths for piece in path
+                  for point in piece for c in point]
+        self.assertTrue(all(map(math.isfinite, points)))
+        os.remove(self.path("out.svg"))
+        self.fail_in("nothing.vtp", "no triangle has finite points", "contour", "--caster",
+                     "nothing.vtp", *common)
+        self.fail_in("huge.vtp", "too large", "contour", "--caster", "huge.vtp", *common)
+
     def test_no_finite_triangle(self):
         mesh = self.path("mesh.vtp")
         touched = Meshes.write_broken_sphere(mesh, math.nan)
@@ -699,13 +944,21 @@ class Output(ToolTest):
         return (("render", "sphere.vtp", "-o", image),
                 ("render", "sphere.vtp", "-o", "out.png", "--mask", image),
                 ("silhouette", "sphere.vtp", "-o", data, *light),
+                ("contour", "--caster", "sphere.vtp", "--receiver", "sphere.vtp", "-o", data, *light),
+                ("contour", "--caster", "sphere.vtp", "--receiver", "sphere.vtp", "-o",
+                 data.replace(".vtp", ".svg"), "--outlines", *light),
                 ("volume", "sphere.vtp", "-o", data, *light))
+
+    @staticmethod
+    def output(command, start):
+        return next(word for word in command if word.startswith(start))
 
     def test_folder_as_output(self):
         os.mkdir(self.path("a.png"))
         os.mkdir(self.path("a.vtp"))
+        os.mkdir(self.path("a.svg"))
         for command in self.commands("a.png", "a.vtp"):
-            self.fail_in("a." + ("png" if command[0] == "render" else "vtp"), "folder", *command)
+            self.fail_in(self.output(command, "a."), "folder", *command)
 
     def test_missing_folder(self):
         for command in self.commands("no/a.png", "no/a.vtp"):
@@ -714,8 +967,7 @@ class Output(ToolTest):
     def test_unwritable(self):
         # Nobody may make files there, root neither.
         for command in self.commands("/proc/a.png", "/proc/a.vtp"):
-            self.fail_in("/proc/a." + ("png" if command[0] == "render" else "vtp"),
-                         "cannot be written", *command)
+            self.fail_in(self.output(command, "/proc/a."), "cannot be written", *command)
 
     def test_no_room(self):
         def limit():

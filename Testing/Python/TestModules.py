@@ -5,8 +5,9 @@ import unittest
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 
-from smoothshadow.vtkFiltersShadow import (vtkCastShadowContour, vtkShadowMeshCheck,
-                                           vtkShadowVolumeExtruder, vtkSmoothLightSilhouette)
+from smoothshadow.vtkFiltersShadow import (vtkCastShadowContour, vtkContourStrokes,
+                                           vtkShadowMeshCheck, vtkShadowVolumeExtruder,
+                                           vtkSmoothLightSilhouette)
 from smoothshadow.vtkRenderingOffscreen import vtkOffscreenWindows
 from smoothshadow.vtkRenderingShadow import vtkStencilShadowPass
 
@@ -33,7 +34,7 @@ class Modules(unittest.TestCase):
         shadows = vtkStencilShadowPass()
         self.assertEqual(shadows.GetKind(), vtkStencilShadowPass.AUTOMATIC)
         for thing in (silhouette, shadows, vtkShadowVolumeExtruder(), vtkShadowMeshCheck(),
-                      vtkCastShadowContour()):
+                      vtkCastShadowContour(), vtkContourStrokes()):
             self.assertIn(thing.GetClassName(), str(thing))
 
     def test_silhouette_of_a_sphere(self):
@@ -58,6 +59,17 @@ class Modules(unittest.TestCase):
         volume.Update()
         self.assertGreater(volume.GetOutput().GetNumberOfPolys(), 100)
         self.assertEqual(volume.GetOutput().GetFieldData().GetArray("Closed").GetValue(0), 1)
+
+    def test_strokes_of_a_silhouette(self):
+        silhouette = self.silhouette(self.sphere())
+        strokes = vtkContourStrokes()
+        strokes.SetInputConnection(silhouette.GetOutputPort())
+        strokes.SetWidth(0.02)
+        strokes.SetWobble(1)
+        strokes.Update()
+        self.assertGreater(strokes.GetOutput().GetNumberOfPolys(), 100)
+        self.assertEqual(strokes.GetOutput().GetFieldData().GetArray("NonFinitePoints").GetValue(0),
+                         0)
 
     def test_contour_of_a_sphere_on_a_plane(self):
         # Its touching cone from (0, 0, 2) meets z = -1 in a circle of radius 3 / sqrt(15).

@@ -1,0 +1,158 @@
+#include "DrawingView.h"
+
+#include <vtkCellArray.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// In distances of the point looked at: what is nearer to the eye is not drawn.
+constexpr double NearPlane = 1e-3;
+constexpr double StepsOnSheet = 500.0;
+// In heights of the sheet: shorter pieces would be dots, as lines are wider.
+constexpr double ShortestPiece = 1e-3;
+constexpr int MostSteps = 10000; // a segment that comes near to the eye is seen very long
+
+double Dot(const Vector3& a, const Vector3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vector3 Cross(const Vector3& a, const Vector3& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+Vector3 Mix(const Vector3& a, const Vector3& b, double share)
+{
+  return { a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]),
+    a[2] + share * (b[2] - a[2]) };
+}
+
+Vector3 Along(const Vector3& a, double s, const Vector3& b)
+{
+  return { a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2] };
+}
+
+Vector3 Unit(const Vector3& a)
+{
+  const double length = std::sqrt(Dot(a, a));
+  return { a[0] / length, a[1] / length, a[2] / length };
+}
+
+double LengthOf(const std::vector<Point2>& piece)
+{
+  double length = 0.0;
+  for (std::size_t i = 1; i < piece.size(); ++i)
+  {
+    length += std::hypot(piece[i][0] - piece[i - 1][0], piece[i][1] - piece[i - 1][1]);
+  }
+  return length;
+}
+}
+
+DrawingView::DrawingView(const Camera& camera, bool parallel, const std::array<int, 2>& size,
+  const std::vector<vtkPolyData*>& blockers)
+  : Position(camera.Eye)
+  , Parallel(parallel)
+  , Sight(blockers)
+{
+  const Vector3 gaze = Along(camera.At, -1.0, camera.Eye);
+  this->Distance = std::sqrt(Dot(gaze, gaze));
+  this->Forward = Unit(gaze);
+  this->Right = Unit(Cross(this->Forward, Unit(camera.Up)));
+  this->Up = Cross(this->Right, this->Forward);
+  const double degree = std::acos(-1.0) / 180.0;
+  this->SheetHeight = 2.0 * this->Distance * std::tan(0.5 * camera.Angle * degree);
+  this->SheetWidth = this->SheetHeight * size[0] / size[1];
+}
+
+Homogeneous DrawingView::Eye() const
+{
+  const Vector3& f = this->Forward;
+  const Vector3& p = this->Position;
+  return this->Parallel ? Homogeneous{ -f[0], -f[1], -f[2], 0.0 }
+                        : Homogeneous{ p[0], p[1], p[2], 1.0 };
+}
+
+bool DrawingView::IsBefore(const Vector3& point) const
+{
+  return this->Parallel ||
+    Dot(this->Forward, Along(point, -1.0, this->Position)) > NearPlane * this->Distance;
+}
+
+Point2 DrawingView::Project(const Vector3& point) const
+{
+  const Vector3 ray = Along(point, -1.0, this->Position);
+  const double scale = this->Parallel ? 1.0 : this->Distance / Dot(this->Forward, ray);
+  return { scale * Dot(this->Right, ray), scale * Dot(this->Up, ray) };
+}
+
+bool DrawingView::IsSeen(const Vector3& point) const
+{
+  return this->IsBefore(point) && this->Sight.IsFree(point, this->Eye());
+}
+
+DrawnLine DrawingView::Draw(const Polyline3& line, const Polyline3& tests) const
+{
+  const Polyline3& looked = tests.empty() ? line : tests;
+  const auto steps = [&](std::size_t i) {
+    if (!this->IsBefore(line[i]) || !this->IsBefore(line[i + 1]))
+    {
+      return MostSteps;
+    }
+    const double length = LengthOf({ this->Project(line[i]), this->Project(line[i + 1]) });
+    return static_cast<int>(std::clamp(
+      std::ceil(length * StepsOnSheet / this->SheetHeight), 1.0, static_cast<double>(MostSteps)));
+  };
+  DrawnLine pieces;
+  for (const Polyline3& part : PartsOf(
+         line,
+         [&](std::size_t i, double share) {
+           return this->IsSeen(Mix(looked[i], looked[i + 1], share));
+         },
+         steps))
+  {
+    std::vector<Point2> piece;
+    for (const Vector3& point : part)
+    {
+      piece.push_back(this->Project(point));
+    }
+    const double length = LengthOf(piece);
+    if (std::isfinite(length) && length >= ShortestPiece * this->SheetHeight)
+    {
+      pieces.push_back(piece);
+    }
+  }
+  return pieces;
+}
+
+std::vector<DrawnLine> DrawingView::DrawAll(vtkPolyData* lines, double outwards) const
+{
+  vtkDataArray* normals = outwards > 0.0 ? lines->GetPointData()->GetArray("Normals") : nullptr;
+  std::vector<DrawnLine> drawn;
+  for (vtkIdType cell = 0; cell < lines->GetNumberOfLines(); ++cell)
+  {
+    vtkIdType count;
+    const vtkIdType* ids;
+    lines->GetLines()->GetCellAtId(cell, count, ids);
+    Polyline3 line;
+    Polyline3 tests;
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      Vector3 point;
+      lines->GetPoint(ids[i], point.data());
+      line.push_back(point);
+      if (normals)
+      {
+        Vector3 normal;
+        normals->GetTuple(ids[i], normal.data());
+        tests.push_back(Along(point, outwards, normal));
+      }
+    }
+    drawn.push_back(this->Draw(line, tests));
+  }
+  return drawn;
+}
