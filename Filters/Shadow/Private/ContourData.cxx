@@ -1,5 +1,6 @@
 #include "ContourData.h"
 
+#include "FieldArrays.h"
 #include "SilhouetteChain.h"
 
 #include "vtkCellArray.h"
@@ -46,21 +47,6 @@ void addCellArray(vtkPolyData* output, const char* name, const shadow::CastConto
   array->SetNumberOfValues(static_cast<vtkIdType>(contours.lines.size()));
   std::transform(contours.lines.begin(), contours.lines.end(), array->GetPointer(0), value);
   output->GetCellData()->AddArray(array);
-}
-
-template <class Array, class Value>
-void addField(vtkPolyData* output, const char* name, std::initializer_list<Value> values)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(static_cast<int>(values.size()));
-  array->SetNumberOfTuples(1);
-  int component = 0;
-  for (const Value& value : values)
-  {
-    array->SetTypedComponent(0, component++, value);
-  }
-  output->GetFieldData()->AddArray(array);
 }
 
 void writeLines(const shadow::CastContours& contours, vtkPolyData* output)

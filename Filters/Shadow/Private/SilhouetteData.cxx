@@ -1,5 +1,6 @@
 #include "SilhouetteData.h"
 
+#include "FieldArrays.h"
 #include "PolyDataBridge.h"
 
 #include "vtkCellArray.h"
@@ -49,21 +50,6 @@ vtkSmartPointer<vtkIntArray> intArray(const char* name, vtkIdType count)
   array->SetName(name);
   array->SetNumberOfValues(count);
   return array;
-}
-
-template <class Array, class Value>
-void addField(vtkPolyData* output, const char* name, std::initializer_list<Value> values)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(static_cast<int>(values.size()));
-  array->SetNumberOfTuples(1);
-  int component = 0;
-  for (const Value& value : values)
-  {
-    array->SetTypedComponent(0, component++, value);
-  }
-  output->GetFieldData()->AddArray(array);
 }
 
 void addCount(vtkPolyData* output, const char* name, std::size_t count)
