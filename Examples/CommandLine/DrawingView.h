@@ -19,7 +19,6 @@ public:
 
   /// The eye, homogeneous: w = 0 in parallel projection.
   Homogeneous Eye() const;
-  Vector3 Direction() const { return this->Forward; }
 
   /// What the sheet shows of the plane through the point looked at, at right angles to the gaze, in
   /// world units.

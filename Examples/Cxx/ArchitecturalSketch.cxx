@@ -497,10 +497,15 @@ int main(int argc, char* argv[])
   {
     std::cout << layer.How.Id << ": " << layer.Lines->GetNumberOfLines() << " lines" << std::endl;
   }
-  if (!WritePicture(model, layers, argv[1]) || !WriteSvg(model, layers, argv[2]))
-  {
-    std::cerr << "ArchitecturalSketch: error: a file cannot be written" << std::endl;
-    return 1;
-  }
-  return 0;
+  const auto written = [](bool done, const char* file) {
+    if (!done)
+    {
+      std::cerr << "ArchitecturalSketch: error: no drawing, in " << file << std::endl;
+    }
+    return done;
+  };
+  return written(WritePicture(model, layers, argv[1]), argv[1]) &&
+      written(WriteSvg(model, layers, argv[2]), argv[2])
+    ? 0
+    : 1;
 }

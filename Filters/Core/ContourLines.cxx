@@ -112,14 +112,57 @@ void addStretches(
     stretches.push_back({ piece, at, 1.0, true });
   }
 }
+
+bool changes(const Stretch& before, const Stretch& after)
+{
+  return before.visible != after.visible;
 }
 
-namespace
+/// Where the run that begins here ends, and its length.
+std::pair<std::size_t, double> runFrom(const std::vector<Stretch>& stretches,
+  const std::vector<PieceLine>& straight, std::size_t begin)
 {
-/// Turns runs of stretches that are hidden or visible for too short a length. What begins or ends a
-/// chain is left as it is.
-void dropShort(
+  std::size_t end = begin;
+  double length = 0.0;
+  for (; end < stretches.size() && !changes(stretches[begin], stretches[end]); ++end)
+  {
+    const PieceLine& line = straight[stretches[end].piece];
+    length += (stretches[end].to - stretches[end].from) *
+      glm::distance(line.from.point, line.to.point);
+  }
+  return { end, length };
+}
+
+/// Makes a closed chain begin with a run that is long enough to stay as it is, and where it changes,
+/// so that no run is cut in two. As it is if there is none.
+void beginWithLongRun(
   std::vector<Stretch>& stretches, const std::vector<PieceLine>& straight, double least)
+{
+  const auto change = std::adjacent_find(stretches.begin(), stretches.end(), changes);
+  if (change == stretches.end())
+  {
+    return;
+  }
+  std::rotate(stretches.begin(), change + 1, stretches.end());
+  for (std::size_t begin = 0; begin < stretches.size();)
+  {
+    const auto [end, length] = runFrom(stretches, straight, begin);
+    // The last run goes on in the first if these are the same.
+    const bool isWhole = begin > 0 || changes(stretches.back(), stretches.front());
+    if (length >= least && isWhole)
+    {
+      std::rotate(stretches.begin(), stretches.begin() + static_cast<std::ptrdiff_t>(begin),
+        stretches.end());
+      return;
+    }
+    begin = end;
+  }
+}
+
+/// Turns runs of stretches that are hidden or visible for too short a length, but not the first, nor
+/// the last of a chain that is not closed.
+void dropShort(std::vector<Stretch>& stretches, const std::vector<PieceLine>& straight,
+  double least, bool closed)
 {
   const auto turn = [&](std::size_t begin, std::size_t end)
   {
@@ -131,17 +174,10 @@ void dropShort(
   std::size_t begin = 0;
   while (begin < stretches.size())
   {
-    std::size_t end = begin;
-    double length = 0.0;
-    for (; end < stretches.size() && stretches[end].visible == stretches[begin].visible; ++end)
-    {
-      const PieceLine& line = straight[stretches[end].piece];
-      length += (stretches[end].to - stretches[end].from) *
-        glm::distance(line.from.point, line.to.point);
-    }
+    const auto [end, length] = runFrom(stretches, straight, begin);
     // One that was turned before may have made this one the same as what is before it.
-    if (begin > 0 && end < stretches.size() && length < least &&
-      stretches[begin - 1].visible != stretches[begin].visible)
+    if (begin > 0 && (closed || end < stretches.size()) && length < least &&
+      changes(stretches[begin - 1], stretches[begin]))
     {
       turn(begin, end);
     }
@@ -180,8 +216,11 @@ void appendLines(const ContourChains& chains, const std::vector<ContourPiece>& p
     {
       addStretches(chains.pieces[i], hidden, stretches);
     }
-    dropShort(stretches, straight, hidden.least);
-    const auto changes = [](const Stretch& l, const Stretch& r) { return l.visible != r.visible; };
+    if (chains.closed[chain])
+    {
+      beginWithLongRun(stretches, straight, hidden.least);
+    }
+    dropShort(stretches, straight, hidden.least, chains.closed[chain]);
     auto change = std::adjacent_find(stretches.begin(), stretches.end(), changes);
     const bool closed = chains.closed[chain] && change == stretches.end();
     if (chains.closed[chain] && !closed)

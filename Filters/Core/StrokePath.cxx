@@ -83,6 +83,8 @@ std::vector<PathPoint> lifted(
     {
       at += by * line.directions[i];
     }
+    // Not into the eye or behind it.
+    at = view.unit(at) > 0.0 ? at : line.points[i];
     path.push_back({ at, 0.0, static_cast<Index>(i), static_cast<Index>(i), 0.0 });
   }
   return path;

@@ -105,7 +105,9 @@ int vtkCastShadowContour::RequestData(
   std::copy_n(this->LightPosition, 4, position);
   if (lightOf(silhouettes, position) == SilhouetteLight::Different)
   {
-    vtkErrorMacro("The silhouettes on port 0 are of different lights: give each light a filter.");
+    vtkErrorMacro("The silhouettes on port 0 are of different lights, one of them (" << position[0]
+      << ", " << position[1] << ", " << position[2] << ", " << position[3]
+      << "), by their field data LightPosition: give each light a filter.");
     return 0;
   }
   shadow::Light light;

@@ -9,6 +9,29 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <cmath>
+#include <utility>
+
+namespace
+{
+// VTK's limits of settings let through what is not a number. Null if all are finite.
+const char* firstNotFinite(const shadow::StrokeSettings& settings)
+{
+  const std::pair<const char*, double> values[] = { { "Width", settings.width },
+    { "Taper", settings.taper }, { "Overshoot", settings.overshoot },
+    { "Wobble", settings.wobble }, { "WobbleLength", settings.wobbleLength },
+    { "Lift", settings.lift } };
+  for (const auto& [name, value] : values)
+  {
+    if (!std::isfinite(value))
+    {
+      return name;
+    }
+  }
+  return nullptr;
+}
+}
+
 vtkStandardNewMacro(vtkContourStrokes);
 
 vtkContourStrokes::vtkContourStrokes() = default;
@@ -47,6 +70,11 @@ int vtkContourStrokes::RequestData(
   settings.wobbleLength = this->WobbleLength;
   settings.seed = static_cast<std::uint64_t>(this->Seed);
   settings.lift = this->Lift;
+  if (const char* name = firstNotFinite(settings))
+  {
+    vtkErrorMacro(<< name << " is not a finite number: set one.");
+    return 0;
+  }
   const StrokeInput lines = readLines(input, view);
   writeStrokes(
     shadow::makeStrokes(lines.lines, settings, view, smpRangeLoop), lines, input, output);

@@ -399,6 +399,11 @@ TEST(CastShadowContour, RefusesWhatIsNoScene)
   EXPECT_EQ(different.update()->GetNumberOfLines(), 0);
   EXPECT_NE(different.Errors->GetErrorMessage().find("different lights"), std::string::npos);
 
+  // The same light, as any multiple of its coordinates is.
+  Contours same({ box(), box() }, { ground(-2.0, 8.0) }, { 0.0, 0.0, 1.0, 0.0 });
+  same.Silhouettes[1]->SetLightPosition(0.0, 0.0, 3.0, 0.0);
+  EXPECT_GT(same.update()->GetNumberOfLines(), 0);
+
   vtkNew<vtkPolyData> nothing;
   Contours noReceiver({ box() }, { nothing }, { 0.0, 0.0, 1.0, 0.0 });
   EXPECT_EQ(noReceiver.update()->GetNumberOfLines(), 0);

@@ -7,10 +7,12 @@
 
 #include <vtkCastShadowContour.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkContourStrokes.h>
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkIntArray.h>
+#include <vtkPointData.h>
 #include <vtkSMPTools.h>
 #include <vtkTestErrorObserver.h>
 
@@ -758,4 +760,50 @@ TEST(ContourStrokes, DataComeAlong)
     found.insert(number);
   }
   EXPECT_EQ(found.size(), 2u);
+}
+
+/// Arrays that have too few values are left out, not read beyond their end.
+TEST(ContourStrokes, ArraysThatAreTooShort)
+{
+  const auto lines = linesOf({ { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 2.0, 1.0, 0.0 } } });
+  for (const char* name : { "ReceiverNormals", "ShadowDirection", "Other" })
+  {
+    vtkNew<vtkDoubleArray> vectors;
+    vectors->SetName(name);
+    vectors->SetNumberOfComponents(3);
+    vectors->InsertNextTuple3(0.0, 0.0, 1.0);
+    lines->GetPointData()->AddArray(vectors);
+  }
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName("Numbers");
+  lines->GetCellData()->AddArray(numbers);
+  vtkNew<vtkContourStrokes> strokes;
+  strokes->SetInputData(lines);
+  strokes->SetWidthUnitToWorld();
+  strokes->SetWidth(0.1);
+  strokes->SetEyePosition(0.0, 0.0, 10.0, 1.0);
+  strokes->Update();
+  vtkPolyData* ribbons = strokes->GetOutput();
+  ASSERT_GT(ribbons->GetNumberOfPolys(), 0);
+  EXPECT_FALSE(ribbons->GetPointData()->HasArray("Other"));
+  EXPECT_FALSE(ribbons->GetCellData()->HasArray("Numbers"));
+  double bounds[6];
+  ribbons->GetBounds(bounds);
+  EXPECT_LT(bounds[1] - bounds[0], 2.5);
+}
+
+/// VTK's limits of settings let NaN through.
+TEST(ContourStrokes, SettingsThatAreNotFinite)
+{
+  const auto lines = linesOf({ { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } } });
+  vtkNew<vtkContourStrokes> strokes;
+  vtkNew<vtkTest::ErrorObserver> errors;
+  strokes->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
+  strokes->AddObserver(vtkCommand::ErrorEvent, errors);
+  strokes->SetInputData(lines);
+  strokes->SetLift(std::numeric_limits<double>::quiet_NaN());
+  strokes->Update();
+  EXPECT_TRUE(errors->GetError());
+  EXPECT_NE(errors->GetErrorMessage().find("Lift"), std::string::npos);
+  EXPECT_EQ(strokes->GetOutput()->GetNumberOfPolys(), 0);
 }

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 namespace
@@ -106,10 +107,32 @@ void addSilhouette(vtkPolyData* silhouette, int number, ContourInput& contours)
     {
       points.pop_back();
     }
+    if (points.size() < 2)
+    {
+      continue;
+    }
     contours.scene.loops.add(points, closed, isOfEdges);
     contours.input.push_back(number);
     contours.cell.push_back(static_cast<int>(cell));
   }
+}
+
+namespace
+{
+// Homogeneous: any positive multiple is the same.
+bool isSameLight(const double a[4], const double b[4])
+{
+  const auto largest = [](const double light[4]) {
+    return std::max({ std::abs(light[0]), std::abs(light[1]), std::abs(light[2]),
+      std::abs(light[3]) });
+  };
+  const double scaleA = largest(a);
+  const double scaleB = largest(b);
+  constexpr double roundings = 4.0 * std::numeric_limits<double>::epsilon();
+  return std::equal(a, a + 4, b, [&](double x, double y) {
+    return std::abs(x / scaleA - y / scaleB) <= roundings;
+  });
+}
 }
 
 SilhouetteLight lightOf(const std::vector<vtkPolyData*>& silhouettes, double light[4])
@@ -129,7 +152,7 @@ SilhouetteLight lightOf(const std::vector<vtkPolyData*>& silhouettes, double lig
       std::copy_n(own, 4, light);
       found = SilhouetteLight::Same;
     }
-    else if (!std::equal(own, own + 4, light))
+    else if (!isSameLight(own, light))
     {
       return SilhouetteLight::Different;
     }
@@ -152,7 +175,9 @@ shadow::CastContours onGrid(const shadow::CastContours& contours, double spacing
     };
     for (std::size_t i = contours.first[line]; i < contours.first[line + 1]; ++i)
     {
-      const shadow::Vec3 at = spacing * glm::round(contours.points[i] / spacing);
+      // A spacing may be too small to divide by.
+      const shadow::Vec3 rounded = spacing * glm::round(contours.points[i] / spacing);
+      const shadow::Vec3 at = shadow::isFinite(rounded) ? rounded : contours.points[i];
       if (moved.points.size() > start && moved.points.back() == at)
       {
         continue;

@@ -9,6 +9,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 namespace
 {
@@ -22,7 +23,10 @@ shadow::Vec3 vectorOf(vtkDataArray* array, vtkIdType id)
 vtkDataArray* vectorsNamed(vtkPolyData* input, const char* name)
 {
   vtkDataArray* array = input->GetPointData()->GetArray(name);
-  return array && array->GetNumberOfComponents() == 3 ? array : nullptr;
+  return array && array->GetNumberOfComponents() == 3 &&
+      array->GetNumberOfTuples() >= input->GetNumberOfPoints()
+    ? array
+    : nullptr;
 }
 
 class LineReader
@@ -151,6 +155,22 @@ private:
   StrokeInput Found;
 };
 
+// Arrays that have values for all of them.
+template <class Attributes>
+vtkSmartPointer<Attributes> wholeArrays(Attributes* attributes, vtkIdType count)
+{
+  auto whole = vtkSmartPointer<Attributes>::New();
+  whole->ShallowCopy(attributes);
+  for (int i = whole->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (whole->GetAbstractArray(i)->GetNumberOfTuples() < count)
+    {
+      whole->RemoveArray(i);
+    }
+  }
+  return whole;
+}
+
 void addCount(vtkPolyData* output, const char* name, vtkIdType count)
 {
   vtkNew<vtkIdTypeArray> array;
@@ -169,7 +189,8 @@ void writePoints(
   across->SetName("Across");
   across->SetNumberOfValues(points->GetNumberOfPoints());
   vtkPointData* data = output->GetPointData();
-  data->InterpolateAllocate(input->GetPointData(), points->GetNumberOfPoints());
+  const auto from = wholeArrays(input->GetPointData(), input->GetNumberOfPoints());
+  data->InterpolateAllocate(from, points->GetNumberOfPoints());
   for (std::size_t line = 0; line < lines.lines.size(); ++line)
   {
     for (std::size_t i = strokes.firstPoint[line]; i < strokes.firstPoint[line + 1]; ++i)
@@ -178,15 +199,14 @@ void writePoints(
       const auto id = static_cast<vtkIdType>(i);
       points->SetPoint(id, &point.at.x);
       across->SetValue(id, point.across);
-      const vtkIdType from = lines.ids[line][point.from];
+      const vtkIdType begin = lines.ids[line][point.from];
       if (point.share == 0.0)
       {
-        data->CopyData(input->GetPointData(), from, id);
+        data->CopyData(from, begin, id);
       }
       else
       {
-        data->InterpolateEdge(
-          input->GetPointData(), id, from, lines.ids[line][point.to], point.share);
+        data->InterpolateEdge(from, id, begin, lines.ids[line][point.to], point.share);
       }
     }
   }
@@ -209,7 +229,8 @@ void writeTriangles(
   // Of the input's cells vertices come before lines.
   const vtkIdType firstCell = input->GetNumberOfVerts();
   vtkCellData* data = output->GetCellData();
-  data->CopyAllocate(input->GetCellData(), count);
+  const auto from = wholeArrays(input->GetCellData(), input->GetNumberOfCells());
+  data->CopyAllocate(from, count);
   for (std::size_t line = 0; line < lines.lines.size(); ++line)
   {
     for (std::size_t i = strokes.firstTriangle[line]; i < strokes.firstTriangle[line + 1]; ++i)
@@ -222,7 +243,7 @@ void writeTriangles(
       }
       offsets->SetValue(id + 1, 3 * (id + 1));
       numbers->SetValue(id, lines.cells[line]);
-      data->CopyData(input->GetCellData(), firstCell + lines.cells[line], id);
+      data->CopyData(from, firstCell + lines.cells[line], id);
     }
   }
   vtkNew<vtkCellArray> triangles;
