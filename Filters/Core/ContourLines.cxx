@@ -133,8 +133,8 @@ std::pair<std::size_t, double> runFrom(const std::vector<Stretch>& stretches,
   return { end, length };
 }
 
-/// Makes a closed chain begin with a run that is long enough to stay as it is, and where it changes,
-/// so that no run is cut in two. As it is if there is none.
+/// Makes a closed chain begin with a run that is long enough to stay as it is, and where it
+/// changes, so that no run is cut in two. As it is if there is none.
 void beginWithLongRun(
   std::vector<Stretch>& stretches, const std::vector<PieceLine>& straight, double least)
 {
@@ -159,8 +159,8 @@ void beginWithLongRun(
   }
 }
 
-/// Turns runs of stretches that are hidden or visible for too short a length, but not the first, nor
-/// the last of a chain that is not closed.
+/// Turns runs of stretches that are hidden or visible for too short a length, but not the first,
+/// nor the last of a chain that is not closed.
 void dropShort(std::vector<Stretch>& stretches, const std::vector<PieceLine>& straight,
   double least, bool closed)
 {

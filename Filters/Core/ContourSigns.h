@@ -9,10 +9,9 @@
 /// (e, e^2, e^3) in this frame, and all silhouettes by f (1, k, k^2), where each of k, e and f is
 /// smaller than any power of the one before, and all are as good as zero. The first term of the
 /// determinant that is not zero then decides, so all signs are those of one arrangement without
-/// ties, and agree with each other whatever the scene. The second shift is for point lights alone: an
-/// edge that is parallel to the ray through a silhouette's vertex stays so when it is shifted.
-/// A determinant that is zero whatever the shifts (of a segment or an edge of no length) is
-/// positive.
+/// ties, and agree with each other whatever the scene. The second shift is for point lights alone:
+/// an edge that is parallel to the ray through a silhouette's vertex stays so when it is shifted. A
+/// determinant that is zero whatever the shifts (of a segment or an edge of no length) is positive.
 #pragma once
 
 #include "Geometry.h"

@@ -7,8 +7,9 @@ namespace
 /// How far pieces are moved to the lit side, as a share of the scene, or of the distance to a light
 /// among it: far more than roundings, far less than what is seen.
 constexpr double movedShare = 1e-9;
-/// Parts of contours that are shorter are taken for what is on both sides of them: where silhouettes
-/// meet at an angle the lit side of one may be in the shadow of the other for some such moves.
+/// Parts of contours that are shorter are taken for what is on both sides of them: where
+/// silhouettes meet at an angle the lit side of one may be in the shadow of the other for some such
+/// moves.
 constexpr double leastMoves = 20.0;
 /// Between the spans of two triangles that share an edge: roundings.
 constexpr double leastGap = 1e-9;

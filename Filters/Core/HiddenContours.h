@@ -5,8 +5,8 @@
 
 namespace shadow
 {
-/// Triangles that cast, to be searched for in the light's charts. Of a mesh whose edges all have two
-/// sides that run against each other those that face the light do; of any other mesh all do.
+/// Triangles that cast, to be searched for in the light's charts. Of a mesh whose edges all have
+/// two sides that run against each other those that face the light do; of any other mesh all do.
 class ContourBlockers
 {
 public:

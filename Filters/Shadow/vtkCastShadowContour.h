@@ -26,8 +26,8 @@
  *   of that silhouette), `Visible`, `Closed`.
  * - FieldData `LightPosition` (4), `NodesVisited` and `LeavesTested` (boxes compared in the tree
  *   over the silhouettes, and segments that were then tested), `BuildSeconds` (the tree),
- *   `QuerySeconds` (contours), `HiddenSeconds` (their hidden parts), `LooseEnds` (ends of lines other
- *   than those said above: 0 unless products of coordinates leave the range of doubles).
+ *   `QuerySeconds` (contours), `HiddenSeconds` (their hidden parts), `LooseEnds` (ends of lines
+ *   other than those said above: 0 unless products of coordinates leave the range of doubles).
  *
  * Receivers are kept until they are modified. Points with equal coordinates are one vertex.
  *

@@ -1,6 +1,6 @@
 // Cast contours against what else finds where walls of shadow meet a receiver: CGAL's AABB tree
-// over the receiver's triangles, all pairs and their segments, and vtkIntersectionPolyDataFilter with
-// the walls as a mesh. One thread; silhouettes are made before. Then the three builders.
+// over the receiver's triangles, all pairs and their segments, and vtkIntersectionPolyDataFilter
+// with the walls as a mesh. One thread; silhouettes are made before. Then the three builders.
 
 #include "Measure.h"
 #include "Random.h"

@@ -1,5 +1,5 @@
-// Hidden removal leaves closed what is closed: at a concave corner of a caster no sliver of the contour
-// is taken for hidden.
+// Hidden removal leaves closed what is closed: at a concave corner of a caster no sliver of the
+// contour is taken for hidden.
 
 #include "MeshBuilder.h"
 #include "ShadowPipeline.h"
@@ -19,8 +19,8 @@ using namespace shadowtest;
 
 namespace
 {
-/// A plate of an L's shape between z = 2 and z = 3, turned about the z axis, its corners beginning at
-/// the given one.
+/// A plate of an L's shape between z = 2 and z = 3, turned about the z axis, its corners beginning
+/// at the given one.
 Mesh turnedL(double degrees, int first)
 {
   const double corners[6][2] = { { 0.0, 0.0 }, { 2.0, 0.0 }, { 2.0, 1.0 }, { 1.0, 1.0 },

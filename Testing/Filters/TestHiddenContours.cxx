@@ -92,8 +92,8 @@ double lengthOf(vtkPolyData* contours, bool visible)
   return sum;
 }
 
-/// Where rays to the light begin, in steps of those aside: so far off the receiver, and so far ahead
-/// on their way.
+/// Where rays to the light begin, in steps of those aside: so far off the receiver, and so far
+/// ahead on their way.
 struct RayStart
 {
   double Off = 0.0;
@@ -157,8 +157,8 @@ private:
   RayScene Rays;
 };
 
-/// Looks from places `spacing` apart along all lines. A place counts as wrong if no start of its rays
-/// says otherwise.
+/// Looks from places `spacing` apart along all lines. A place counts as wrong if no start of its
+/// rays says otherwise.
 HiddenReport lookAlong(ContourRays& rays, vtkPolyData* contours, double spacing,
   const std::vector<RayStart>& starts)
 {

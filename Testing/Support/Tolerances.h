@@ -69,8 +69,8 @@ constexpr double JointAngle = 1e-10;
 /// Slack on the bound that a silhouette reports for its own subdivision: rounding only.
 constexpr double ReportedBound = 1e-9;
 
-/// How far the smooth contour of a sphere of 5,120 triangles is from its shadow on a plane, in radii:
-/// it is subdivided to 1e-6 of the size, and its curve is nearer than that.
+/// How far the smooth contour of a sphere of 5,120 triangles is from its shadow on a plane, in
+/// radii: it is subdivided to 1e-6 of the size, and its curve is nearer than that.
 constexpr double SphereContour = 1e-5;
 
 /// Contours whose pieces two formulas in double cut from triangles of some hundredths of the size:
@@ -78,12 +78,12 @@ constexpr double SphereContour = 1e-5;
 /// 1e-4.
 constexpr double CutContour = 1e-9;
 
-/// How much farther than a silhouette a contour moves, at most: a fine field's triangles meet rays, and
-/// their edges walls, at angles down to a tenth each.
+/// How much farther than a silhouette a contour moves, at most: a fine field's triangles meet rays,
+/// and their edges walls, at angles down to a tenth each.
 constexpr double ContourSlant = 100.0;
 
-/// How far beside a contour rays tell whether it is visible: a few times the slack with which the ray
-/// cast passes edges.
+/// How far beside a contour rays tell whether it is visible: a few times the slack with which the
+/// ray cast passes edges.
 constexpr double BesideContour = 1e-6;
 
 /// Share of contours' length that may count as visible where rays say hidden, or the other way
