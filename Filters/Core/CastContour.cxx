@@ -66,7 +66,7 @@ public:
     if (!scene.casters.empty() && !this->Walls->touchesLight())
     {
       const Stopwatch watch(report.seconds.hidden);
-      this->Blockers.emplace(scene.casters, this->Frame, loop);
+      this->Blockers.emplace(scene.casters, scene.loops, scene.light, this->Frame, loop);
     }
   }
 
@@ -89,8 +89,7 @@ public:
     if (this->Blockers)
     {
       const Stopwatch watch(this->Report.seconds.hidden);
-      hidden = this->Blockers->hiddenSpans(
-        pieces, straight, *this->Walls, this->Scene.loops, this->Loop);
+      hidden = this->Blockers->hiddenSpans(pieces, straight, *this->Walls, this->Loop);
     }
     const Stopwatch watch(this->Report.seconds.query);
     this->Report.loose += chains.loose;

@@ -27,6 +27,10 @@ std::vector<Index> connectedParts(const TriangleMesh& mesh, const EdgeTable& edg
 
 double normalAgreement(const TriangleMesh& mesh, Index triangle)
 {
+  if (mesh.cornerNormals.empty())
+  {
+    return 0.0;
+  }
   const Triangle& n = mesh.cornerNormals[triangle];
   return glm::dot(
     mesh.areaNormal(triangle), mesh.normals[n[0]] + mesh.normals[n[1]] + mesh.normals[n[2]]);

@@ -89,7 +89,8 @@ struct ChainWeights
   }
 };
 
-/// Sum over a triangle's corners of normal times area normal: positive if they are on one side.
+/// Sum over a triangle's corners of normal times area normal: positive if they are on one side; 0
+/// where there are no normals.
 double normalAgreement(const TriangleMesh& mesh, Index triangle);
 
 ChainWeights findChainWeights(const TriangleMesh& mesh, const EdgeTable& edges);

@@ -14,10 +14,12 @@ bool holdsLight(const Vec3& a, const Vec3& b)
 }
 }
 
-void ContourLoops::add(const std::vector<Vec3>& polyline, bool isClosed, bool isOfEdges)
+void ContourLoops::add(const std::vector<Vec3>& polyline, const std::vector<Vec3>& onMesh,
+  bool isClosed, bool isOfEdges)
 {
   this->ofEdges.push_back(isOfEdges);
   this->points.insert(this->points.end(), polyline.begin(), polyline.end());
+  this->meshPoints.insert(this->meshPoints.end(), onMesh.begin(), onMesh.end());
   this->first.push_back(this->points.size());
   this->closed.push_back(isClosed);
 }

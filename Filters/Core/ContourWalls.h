@@ -11,12 +11,14 @@ namespace shadow
 struct ContourLoops
 {
   std::vector<Vec3> points;            ///< loop after loop, the first of a closed one not repeated
+  std::vector<Vec3> meshPoints;        ///< of the mesh that casts, those that belong to points
   std::vector<std::size_t> first{ 0 }; ///< where each loop begins, and the end
   std::vector<bool> closed;            ///< of each loop
   std::vector<bool> ofEdges;           ///< its segments are edges of the mesh that casts
 
   std::size_t count() const { return this->closed.size(); }
-  void add(const std::vector<Vec3>& polyline, bool isClosed, bool isOfEdges);
+  void add(const std::vector<Vec3>& polyline, const std::vector<Vec3>& onMesh, bool isClosed,
+    bool isOfEdges);
 };
 
 /// A segment has the number of the point at which it starts. Points at which none starts (the ends

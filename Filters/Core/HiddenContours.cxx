@@ -30,15 +30,6 @@ void keepPositive(double atStart, double atEnd, double& from, double& to)
   (atStart > 0.0 ? to : from) = atStart > 0.0 ? std::min(to, at) : std::max(from, at);
 }
 
-double distanceToSegment(const Vec3& point, const Vec3& a, const Vec3& b)
-{
-  const Vec3 along = b - a;
-  const double squared = glm::dot(along, along);
-  const double share =
-    squared > 0.0 ? std::clamp(glm::dot(point - a, along) / squared, 0.0, 1.0) : 0.0;
-  return glm::length(point - a - share * along);
-}
-
 /// Ascending and apart.
 void unite(std::vector<std::array<double, 2>>& spans)
 {
@@ -64,20 +55,22 @@ struct ContourBlockers::MovedPiece
 {
   std::array<Vec3, 2> views;
   std::array<Vec3, 2> places;
-  bool ofEdges;
-  std::array<Vec3, 2> casters;
+  Index segment;
 };
 
-ContourBlockers::ContourBlockers(
-  const std::vector<ContourReceiver>& casters, const LightFrame& frame, const RangeLoop& loop)
+ContourBlockers::ContourBlockers(const std::vector<ContourReceiver>& casters,
+  const ContourLoops& loops, const Light& light, const LightFrame& frame, const RangeLoop& loop)
   : Frame(frame)
+  , Around(loops, casters, light, loop)
   , Charts(frame.hasOneChart())
   , Boxes(this->Charts.count())
   , Items(this->Charts.count())
 {
+  Index firstVertex = 0;
   for (const ContourReceiver& caster : casters)
   {
-    this->addCaster(caster, loop);
+    this->addCaster(caster, firstVertex, loop);
+    firstVertex += static_cast<Index>(caster.mesh->points.size());
   }
   for (std::size_t chart = 0; chart < this->Charts.count(); ++chart)
   {
@@ -85,7 +78,8 @@ ContourBlockers::ContourBlockers(
   }
 }
 
-void ContourBlockers::addCaster(const ContourReceiver& caster, const RangeLoop& loop)
+void ContourBlockers::addCaster(
+  const ContourReceiver& caster, Index firstVertex, const RangeLoop& loop)
 {
   const ReceiverView view(caster, this->Frame, loop);
   const TriangleMesh& mesh = *caster.mesh;
@@ -109,10 +103,7 @@ void ContourBlockers::addCaster(const ContourReceiver& caster, const RangeLoop& 
     // Places are counted from the light away, so this is turned to what is behind.
     blocker.normal = unitOrZero(glm::cross(view.place(t[1]) - place, view.place(t[2]) - place));
     blocker.offset = glm::dot(blocker.normal, place);
-    const std::array<Vec3, 3> points{ mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]] };
-    blocker.middle = (points[0] + points[1] + points[2]) / 3.0;
-    blocker.size = std::max({ glm::distance(points[0], points[1]),
-      glm::distance(points[1], points[2]), glm::distance(points[2], points[0]) });
+    blocker.vertices = { firstVertex + t[0], firstVertex + t[1], firstVertex + t[2] };
     const Index number = static_cast<Index>(this->Blockers.size());
     this->Blockers.push_back(blocker);
     for (std::size_t chart = 0; chart < this->Charts.count(); ++chart)
@@ -128,11 +119,10 @@ void ContourBlockers::addCaster(const ContourReceiver& caster, const RangeLoop& 
 }
 
 ContourBlockers::MovedPiece ContourBlockers::moved(
-  const PieceLine& line, const WallPlane& wall, bool ofEdges) const
+  const PieceLine& line, const WallPlane& wall, Index segment) const
 {
   MovedPiece piece;
-  piece.ofEdges = ofEdges;
-  piece.casters = { line.from.caster, line.to.caster };
+  piece.segment = segment;
   piece.places = { this->Frame.place(line.from.point), this->Frame.place(line.to.point) };
   for (std::size_t k = 0; k < 2; ++k)
   {
@@ -171,9 +161,7 @@ void ContourBlockers::addSpan(const MovedPiece& piece, const Blocker& blocker,
   const double error = movedShare * this->Frame.size();
   keepPositive(glm::dot(blocker.normal, piece.places[0]) - blocker.offset - error,
     glm::dot(blocker.normal, piece.places[1]) - blocker.offset - error, from, to);
-  if (from < to &&
-    (piece.ofEdges ||
-      distanceToSegment(blocker.middle, piece.casters[0], piece.casters[1]) > blocker.size))
+  if (from < to && !this->Around.touches(piece.segment, blocker.vertices))
   {
     spans.push_back({ from, to });
   }
@@ -216,8 +204,7 @@ void ContourBlockers::findSpans(
 }
 
 HiddenSpans ContourBlockers::hiddenSpans(const std::vector<ContourPiece>& pieces,
-  const std::vector<PieceLine>& straight, const ContourWalls& walls, const ContourLoops& loops,
-  const RangeLoop& loop) const
+  const std::vector<PieceLine>& straight, const ContourWalls& walls, const RangeLoop& loop) const
 {
   std::vector<std::vector<std::array<double, 2>>> found(pieces.size());
   loop(pieces.size(), heavyGrain,
@@ -226,9 +213,7 @@ HiddenSpans ContourBlockers::hiddenSpans(const std::vector<ContourPiece>& pieces
       for (std::size_t i = begin; i < end; ++i)
       {
         const Index segment = pieces[i].segment;
-        this->findSpans(this->moved(straight[i], walls.wall(segment),
-                          loops.ofEdges[walls.loopOf(segment)]),
-          found[i]);
+        this->findSpans(this->moved(straight[i], walls.wall(segment), segment), found[i]);
       }
     });
   HiddenSpans hidden;

@@ -1,6 +1,7 @@
 /// Which parts of cast contours are in the shadow of something else.
 #pragma once
 
+#include "ChordVertices.h"
 #include "ContourLines.h"
 
 namespace shadow
@@ -10,8 +11,8 @@ namespace shadow
 class ContourBlockers
 {
 public:
-  ContourBlockers(
-    const std::vector<ContourReceiver>& casters, const LightFrame& frame, const RangeLoop& loop);
+  ContourBlockers(const std::vector<ContourReceiver>& casters, const ContourLoops& loops,
+    const Light& light, const LightFrame& frame, const RangeLoop& loop);
 
   /// Where triangles are between the light and pieces, which are straight lines on a receiver. A
   /// piece lies where the shadow of its own segment ends; so it is looked at as if it were moved by
@@ -19,10 +20,9 @@ public:
   /// behind it: the hidden parts are the union of what triangles cut from the line, whatever
   /// touches or pierces whatever.
   ///
-  /// Silhouettes that are not made of edges of the casters have triangles on either side: those
-  /// that are as near to the segment as they are long do not hide its contour.
+  /// What is around a segment (ChordVertices) does not hide its contour.
   HiddenSpans hiddenSpans(const std::vector<ContourPiece>& pieces,
-    const std::vector<PieceLine>& straight, const ContourWalls& walls, const ContourLoops& loops,
+    const std::vector<PieceLine>& straight, const ContourWalls& walls,
     const RangeLoop& loop) const;
 
 private:
@@ -31,18 +31,18 @@ private:
     std::array<Vec3, 3> edges; ///< cross products of its views: a view within it is positive to all
     Vec3 normal;               ///< away from the light, of places
     double offset;             ///< of the plane
-    Vec3 middle;               ///< of the ball around it, in the world, and its size
-    double size;
+    Triangle vertices;         ///< in numbers over all casters
   };
   struct MovedPiece;
 
-  void addCaster(const ContourReceiver& caster, const RangeLoop& loop);
-  MovedPiece moved(const PieceLine& line, const WallPlane& wall, bool ofEdges) const;
+  void addCaster(const ContourReceiver& caster, Index firstVertex, const RangeLoop& loop);
+  MovedPiece moved(const PieceLine& line, const WallPlane& wall, Index segment) const;
   void addSpan(const MovedPiece& piece, const Blocker& blocker,
     std::vector<std::array<double, 2>>& spans) const;
   void findSpans(const MovedPiece& piece, std::vector<std::array<double, 2>>& spans) const;
 
   const LightFrame& Frame;
+  ChordVertices Around;
   LightCharts Charts;
   std::vector<Blocker> Blockers;
   std::vector<std::vector<Box2>> Boxes; ///< by chart, of the tree's items

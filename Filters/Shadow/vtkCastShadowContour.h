@@ -29,6 +29,11 @@
  *   `QuerySeconds` (contours), `HiddenSeconds` (their hidden parts), `LooseEnds` (ends of lines
  *   other than those said above: 0 unless products of coordinates leave the range of doubles).
  *
+ * What hides contours is exact for discrete silhouettes. Accurate and smooth ones lie within the
+ * shadow of their own mesh; triangles that share a vertex with one that such a silhouette crosses
+ * (found by its `MeshPoints`) therefore do not hide it. So the casters must have the points of the
+ * meshes that the silhouettes were made of: where they have not, that mesh hides the silhouette.
+ *
  * Receivers are kept until they are modified. Points with equal coordinates are one vertex.
  *
  * Errors: silhouettes of different lights, a light that is not finite or is all zero, and one that

@@ -2,6 +2,7 @@
 
 #include "ChainChecks.h"
 #include "ContourScenes.h"
+#include "HostileMeshes.h"
 #include "Random.h"
 #include "RayCast.h"
 #include "RealMeshes.h"
@@ -231,6 +232,190 @@ Mesh dragon()
 {
   return standing(cgalMesh("ChineseDragon-10kv"), 1);
 }
+
+/// Calls visit(place, right) at places along visible lines, so many in all; the lit side is on the
+/// right.
+template <class Visit>
+void alongVisible(vtkPolyData* contours, int places, const Visit& visit)
+{
+  vtkDataArray* normals = contours->GetPointData()->GetArray("ReceiverNormals");
+  const double spacing = lengthOf(contours, true) / places;
+  double untilNext = 0.5 * spacing;
+  for (vtkIdType line = 0; line < contours->GetNumberOfLines(); ++line)
+  {
+    if (contours->GetCellData()->GetArray("Visible")->GetComponent(line, 0) == 0.0)
+    {
+      continue;
+    }
+    vtkIdType count;
+    const vtkIdType* ids;
+    contours->GetLines()->GetCellAtId(line, count, ids);
+    for (vtkIdType i = 0; i + 1 < count; ++i)
+    {
+      Vec3 from;
+      Vec3 to;
+      Vec3 normal;
+      contours->GetPoint(ids[i], from.data());
+      contours->GetPoint(ids[i + 1], to.data());
+      normals->GetTuple(ids[i], normal.data());
+      const Vec3 along = to - from;
+      const double length = std::sqrt(dot(along, along));
+      for (; untilNext < length; untilNext += spacing)
+      {
+        visit(from + untilNext / length * along, normalized(cross(along, normal)));
+      }
+      untilNext -= length;
+    }
+  }
+}
+
+/// How visible contours of a kind differ from the border of the shadow that the mesh itself casts.
+struct KindReport
+{
+  double Visible = 0.0; ///< their length, as a share of that of discrete ones
+  double Extra = 0.0;   ///< share of it that has shadow alone on the lit side, as far as is looked
+  double Missing = 0.0; ///< share of the visible discrete ones that have none of them as near
+};
+
+/// Looks as far as the reach.
+KindReport againstDiscrete(HiddenScene scene, int kind, double reach)
+{
+  const auto discrete = contoursOf(scene);
+  scene.Kind = kind;
+  const auto contours = contoursOf(scene);
+  const RayScene rays({ { merged(scene.Casters) } });
+  constexpr int looks = 10000;
+  std::vector<Vec3> places;
+  int extra = 0;
+  alongVisible(contours, looks,
+    [&](const Vec3& place, const Vec3& right)
+    {
+      places.push_back(place);
+      constexpr int steps = 50;
+      bool isInShadow = true;
+      for (int i = 1; i <= steps && isInShadow; ++i)
+      {
+        isInShadow = rays.isBlocked(place + i * reach / steps * right, scene.Light);
+      }
+      extra += isInShadow;
+    });
+  constexpr int discreteLooks = 2000;
+  int all = 0;
+  int missing = 0;
+  alongVisible(discrete, discreteLooks,
+    [&](const Vec3& place, const Vec3&)
+    {
+      ++all;
+      missing += std::none_of(places.begin(), places.end(),
+        [&](const Vec3& other) { return dot(other - place, other - place) < reach * reach; });
+    });
+  EXPECT_GT(static_cast<int>(places.size()), looks / 2);
+  EXPECT_GT(all, discreteLooks / 2);
+  return { lengthOf(contours, true) / lengthOf(discrete, true),
+    extra / static_cast<double>(places.size()), missing / static_cast<double>(all) };
+}
+
+/// Of visible contours, or hidden ones, that are cast from x below 0.
+double lengthFromNegativeX(vtkPolyData* contours, bool visible)
+{
+  vtkNew<vtkPolyData> part;
+  part->DeepCopy(contours);
+  vtkDataArray* marks = part->GetCellData()->GetArray("Visible");
+  for (vtkIdType line = 0; line < part->GetNumberOfLines(); ++line)
+  {
+    vtkIdType count;
+    const vtkIdType* ids;
+    part->GetLines()->GetCellAtId(line, count, ids);
+    const double x = part->GetPointData()->GetArray("CasterPoints")->GetComponent(ids[0], 0);
+    const bool isWanted = x < 0.0 && (marks->GetComponent(line, 0) != 0.0) == visible;
+    marks->SetComponent(line, 0, isWanted ? 1.0 : 0.0);
+  }
+  return lengthOf(part, true);
+}
+
+/// Around z, with flat faces that have smooth rims: a smooth silhouette on the inner ones is within
+/// the shadow of the faces, whose edges cut the hole's corners.
+Mesh ring(int sides)
+{
+  const double radii[] = { 1.0, 1.0, 0.6, 0.6 };
+  const double heights[] = { -0.2, 0.2, 0.2, -0.2 };
+  MeshBuilder mesh;
+  for (std::size_t band = 0; band < 4; ++band)
+  {
+    const std::size_t after = (band + 1) % 4;
+    const double outward = heights[after] - heights[band];
+    const double upward = radii[band] - radii[after];
+    const vtkIdType first = mesh.pointCount();
+    for (int i = 0; i < sides; ++i)
+    {
+      const double angle = 2.0 * 3.14159265358979 * i / sides;
+      const Vec3 along{ std::cos(angle), std::sin(angle), 0.0 };
+      const Vec3 normal = normalized(outward * along + Vec3{ 0.0, 0.0, upward });
+      mesh.addPoint(radii[band] * along + Vec3{ 0.0, 0.0, heights[band] }, normal);
+      mesh.addPoint(radii[after] * along + Vec3{ 0.0, 0.0, heights[after] }, normal);
+      const vtkIdType at = first + 2 * i;
+      const vtkIdType next = first + 2 * ((i + 1) % sides);
+      mesh.addQuad(at, next, next + 1, at + 1);
+    }
+  }
+  return mesh.build();
+}
+
+/// Open, and bent like an S along the light's rays: on its way down it bends away from them and
+/// then towards them, and its shadow ends at either bend.
+Mesh sheet(int steps)
+{
+  constexpr int across = 20;
+  MeshBuilder mesh;
+  for (int i = 0; i <= steps; ++i)
+  {
+    const double u = 3.14159265358979 * (2.0 * i / steps - 1.0);
+    const double height = u < 0.0 ? 1.0 : 2.0;
+    for (int j = 0; j <= across; ++j)
+    {
+      const Vec3 point{ height * std::sin(u), 4.0 * j / across - 2.0, -u };
+      mesh.addPoint(0.4 * point, normalized({ 1.0, 0.0, height * std::cos(u) }));
+    }
+  }
+  for (int i = 0; i < steps; ++i)
+  {
+    for (int j = 0; j < across; ++j)
+    {
+      const vtkIdType at = i * (across + 1) + j;
+      mesh.addQuad(at, at + across + 1, at + across + 2, at + 1);
+    }
+  }
+  return mesh.build();
+}
+
+/// The part of a sphere whose triangles are above a height, its winding and its normals turned
+/// over.
+Mesh insideOut(double least)
+{
+  MeshBuilder mesh;
+  mesh.append(icosphere(4));
+  for (Vec3& normal : mesh.Normals)
+  {
+    normal = -1.0 * normal;
+  }
+  std::vector<std::vector<vtkIdType>> above;
+  for (const auto& cell : mesh.Cells)
+  {
+    if (std::all_of(cell.begin(), cell.end(),
+          [&](vtkIdType id) { return mesh.Points[static_cast<std::size_t>(id)][2] >= least; }))
+    {
+      above.push_back({ cell.rbegin(), cell.rend() });
+    }
+  }
+  mesh.Cells = above;
+  return mesh.build();
+}
+
+const char* kindName(int kind)
+{
+  constexpr const char* names[] = { "discrete", "accurate", "smooth" };
+  return names[kind];
+}
 }
 
 TEST(HiddenContours, RealMeshesOverReceivers)
@@ -309,23 +494,110 @@ TEST(HiddenContours, TwoSpheres)
   EXPECT_EQ(lengthOf(filter->GetOutput(), false), 0.0);
   EXPECT_NEAR(lengthOf(filter->GetOutput(), true), 1.5 * both, 0.01 * both);
   EXPECT_EQ(fieldValue(filter->GetOutput(), "HiddenSeconds"), 0.0);
+
+  HiddenScene slanted = scene;
+  slanted.Light = { 0.03, 0.02, 1.0, 0.0 };
+  const auto discrete = contoursOf(slanted);
+  for (const int kind : { vtkSmoothLightSilhouette::ACCURATE, vtkSmoothLightSilhouette::SMOOTH })
+  {
+    SCOPED_TRACE(kindName(kind));
+    slanted.Kind = kind;
+    const auto ofKind = contoursOf(slanted);
+    for (const bool visible : { true, false })
+    {
+      const double length = lengthOf(discrete, visible);
+      EXPECT_GT(length, 1.0);
+      EXPECT_NEAR(lengthOf(ofKind, visible), length, 0.01 * length);
+    }
+  }
 }
 
-// Without the edges of the mesh a silhouette has the mesh on both sides, which is not to hide it.
-TEST(HiddenContours, OtherKindsShowWhatDiscreteOnesShow)
+// Two large flat triangles hide all that something beside them casts: neither their size nor how
+// near they are is a reason not to, whether they are of another caster or of the same mesh.
+TEST(HiddenContours, InTheShadowOfALargeFace)
 {
-  for (const auto& [name, mesh] : { std::pair<const char*, Mesh>{ "sphere", icosphere(4) },
-         { "torus", torus(60, 30) } })
+  const Mesh large = moved(box(0.5, 0.5, 1.0), 1.0, { 0.5, 0.5, 1.0 });
+  const Mesh floor = ground(0.0, 8.0);
+  for (const Mesh& small : { moved(box(0.1, 0.1, 0.05), 1.0, { -0.4, 0.8, 0.55 }),
+         moved(icosphere(3), 0.1, { -0.4, 0.8, 0.55 }) })
   {
-    SCOPED_TRACE(name);
-    std::array<double, 3> visible;
-    for (const int kind : AllKinds)
+    for (const auto& casters :
+      { std::vector<Mesh>{ large, small }, { small, large }, { merged({ large, small }) } })
     {
-      visible[static_cast<std::size_t>(kind)] = lengthOf(
-        contoursOf({ { mesh }, { ground(-2.0, 8.0) }, { 0.3, 0.2, 1.0, 0.0 }, kind }), true);
+      double discrete = 0.0;
+      for (const int kind : AllKinds)
+      {
+        SCOPED_TRACE(kindName(kind));
+        const auto contours = contoursOf({ casters, { floor }, { 1.0, -1.0, 2.0, 0.0 }, kind });
+        EXPECT_EQ(lengthFromNegativeX(contours, true), 0.0);
+        EXPECT_GT(lengthFromNegativeX(contours, false), 0.5);
+        const double visible = lengthOf(contours, true);
+        discrete = kind == vtkSmoothLightSilhouette::DISCRETE ? visible : discrete;
+        EXPECT_GT(visible, 1.0);
+        EXPECT_NEAR(visible, discrete, tolerance::SameContours * discrete);
+      }
     }
-    EXPECT_GT(visible[0], 1.0);
-    EXPECT_NEAR(visible[1], visible[0], 0.01 * visible[0]);
-    EXPECT_NEAR(visible[2], visible[0], 0.01 * visible[0]);
+  }
+}
+
+// Edges of flat faces are silhouettes of all kinds, and faces that meet them may hide what they
+// cast.
+TEST(HiddenContours, FlatFacesHideTheirOwnEdges)
+{
+  for (const std::uint64_t seed : { 1, 2, 3, 4 })
+  {
+    const Mesh mesh = voxels(4, seed);
+    for (const LightPosition& light :
+      { LightPosition{ 0.5, 0.3, 1.0, 0.0 }, LightPosition{ 1.3, 9.2, 17.0, 1.0 } })
+    {
+      double discrete = 0.0;
+      for (const int kind : AllKinds)
+      {
+        SCOPED_TRACE(kindName(kind));
+        const auto contours = contoursOf({ { mesh }, { ground(-1.0, 30.0), mesh }, light, kind });
+        const double visible = lengthOf(contours, true);
+        discrete = kind == vtkSmoothLightSilhouette::DISCRETE ? visible : discrete;
+        EXPECT_GT(visible, 1.0);
+        EXPECT_GT(lengthOf(contours, false), 1.0);
+        EXPECT_NEAR(visible, discrete, tolerance::SameContours * discrete);
+      }
+    }
+  }
+}
+
+// A silhouette that crosses triangles is within the mesh's own shadow, and what is around it is not
+// to hide it; all else is.
+TEST(HiddenContours, OtherKindsShowTheShadowsBorder)
+{
+  struct Case
+  {
+    const char* name;
+    Mesh mesh;
+    tolerance::OtherKinds limits;
+  };
+  for (const auto& [name, mesh, limits] :
+    { Case{ "sphere", icosphere(4), tolerance::SmoothShapes },
+      { "torus", torus(60, 30), tolerance::SmoothShapes },
+      { "cylinder", moved(cylinder(60), 1.0, { 0.0, 0.0, 0.0 }, 5), tolerance::SmoothShapes },
+      { "sphere inside out", insideOut(-1.0), tolerance::SmoothShapes },
+      { "bowl inside out", insideOut(-0.5), tolerance::SmoothShapes },
+      { "sheet", sheet(60), tolerance::Rims },
+      { "ring", ring(60), tolerance::Rims },
+      { "dragon", dragon(), tolerance::Scans },
+      { "bunny", standing(bunny(), 1), tolerance::Scans },
+      { "armadillo", standing(cgalMesh("armadillo"), 1), tolerance::Scans } })
+  {
+    for (const int kind : { vtkSmoothLightSilhouette::ACCURATE, vtkSmoothLightSilhouette::SMOOTH })
+    {
+      SCOPED_TRACE(std::string(name) + ", " + kindName(kind));
+      const KindReport report = againstDiscrete(
+        { { mesh }, { ground(-2.0, 8.0) }, { 0.3, 0.2, 1.0, 0.0 } }, kind, meanEdgeLength(mesh));
+      ::testing::Test::RecordProperty(std::string(name) + ", " + kindName(kind),
+        std::to_string(report.Visible) + " of the discrete length, " +
+          std::to_string(report.Extra) + " extra, " + std::to_string(report.Missing) + " missing");
+      EXPECT_LE(report.Extra, limits.Extra);
+      EXPECT_EQ(report.Missing, 0.0);
+      EXPECT_NEAR(report.Visible, 1.0, limits.Visible);
+    }
   }
 }

@@ -90,6 +90,26 @@ constexpr double BesideContour = 1e-6;
 /// around.
 constexpr double HiddenLength = 1e-4;
 
+/// How visible contours of accurate and smooth silhouettes may differ from the border of the mesh's
+/// own shadow: the share of their length that has shadow on both sides, farther than an edge is
+/// long, and how much their length is off that of discrete ones.
+struct OtherKinds
+{
+  double Extra;
+  double Visible;
+};
+/// A smooth shape bends away from all of its silhouette, or hides it from afar.
+constexpr OtherKinds SmoothShapes = { 0.0, 1e-3 };
+/// Where silhouettes come to rims and borders they end off by parts of an edge, of which there are
+/// some 60 around.
+constexpr OtherKinds Rims = { 3e-3, 8e-3 };
+/// In folds of a scan that are no larger than a triangle and those around it these truly hide, and
+/// smooth silhouettes are longer there: seen are up to 2.3% and 7%.
+constexpr OtherKinds Scans = { 0.025, 0.08 };
+
+/// Of lengths that differ by roundings alone.
+constexpr double SameContours = 1e-9;
+
 /// Least share of the reported bound that the true deviation reaches somewhere: a looser bound
 /// would subdivide for nothing. An arc's bound is exact, that of an S-shaped piece 2.6 times its
 /// deviation.

@@ -79,22 +79,32 @@ void addSilhouette(vtkPolyData* silhouette, int number, ContourInput& contours)
   vtkDataArray* kind = silhouette->GetFieldData()->GetArray("SilhouetteKind");
   const bool isOfEdges = !kind || kind->GetNumberOfTuples() < 1 ||
     kind->GetComponent(0, 0) == static_cast<int>(shadow::SilhouetteKind::Discrete);
+  vtkDataArray* onMesh = silhouette->GetPointData()->GetArray("MeshPoints");
+  const bool hasMeshPoints = onMesh && onMesh->GetNumberOfComponents() == 3;
   std::vector<shadow::Vec3> points;
+  std::vector<shadow::Vec3> meshPoints;
   for (vtkIdType cell = 0; cell < lines->GetNumberOfCells(); ++cell)
   {
     vtkIdType count;
     const vtkIdType* ids;
     lines->GetCellAtId(cell, count, ids);
     points.clear();
+    meshPoints.clear();
     for (vtkIdType i = 0; i < count; ++i)
     {
       if (ids[i] >= 0 && ids[i] < silhouette->GetNumberOfPoints())
       {
         shadow::Vec3 point;
         silhouette->GetPoint(ids[i], &point.x);
-        if (shadow::isFinite(point))
+        shadow::Vec3 meshPoint = point;
+        if (hasMeshPoints)
+        {
+          onMesh->GetTuple(ids[i], &meshPoint.x);
+        }
+        if (shadow::isFinite(point) && shadow::isFinite(meshPoint))
         {
           points.push_back(point);
+          meshPoints.push_back(meshPoint);
         }
       }
     }
@@ -106,12 +116,13 @@ void addSilhouette(vtkPolyData* silhouette, int number, ContourInput& contours)
     if (closed)
     {
       points.pop_back();
+      meshPoints.pop_back();
     }
     if (points.size() < 2)
     {
       continue;
     }
-    contours.scene.loops.add(points, closed, isOfEdges);
+    contours.scene.loops.add(points, meshPoints, closed, isOfEdges);
     contours.input.push_back(number);
     contours.cell.push_back(static_cast<int>(cell));
   }
