@@ -2,6 +2,7 @@
 
 #include "ExactSum.h"
 
+#include <algorithm>
 #include <cassert>
 #include <optional>
 
@@ -148,14 +149,24 @@ private:
 
   /// Of the point where an edge crosses a segment. With the edge's end that is on the wall's
   /// positive side the segment makes a triangle that faces the light; the edge is behind it where
-  /// its other end is.
+  /// its other end is. A segment of almost no length makes none that can be told from a line:
+  /// then all of the edge has to be behind all of the segment.
   bool isBeyond(const Edge& edge, int sideOfFirst, Index segment) const
   {
-    return sideOfFirst * sideOfPlane(this->Walls.place(segment),
-                           this->Walls.place(this->Walls.next(segment)),
-                           this->Receiver.place(edge.a), this->Receiver.place(edge.b),
-                           this->Receiver.frame().placeError()) <
-      0;
+    const LightFrame& frame = this->Receiver.frame();
+    const Vec3& a = this->Walls.place(segment);
+    const Vec3& b = this->Walls.place(this->Walls.next(segment));
+    const Vec3& x = this->Receiver.place(edge.a);
+    const Vec3& y = this->Receiver.place(edge.b);
+    const int side = sideOfFirst * sideOfPlane(a, b, x, y, frame.placeError());
+    if (side != 0)
+    {
+      return side < 0;
+    }
+    const Vec3 onward = frame.onward(a);
+    const double edgeBegins = std::min(glm::dot(onward, x), glm::dot(onward, y));
+    const double segmentEnds = std::max(glm::dot(onward, a), glm::dot(onward, b));
+    return edgeBegins - segmentEnds > 4.0 * frame.placeError() * sumOfSizes(onward);
   }
 
   /// Of the point where the ray through a silhouette's point meets a triangle.

@@ -30,6 +30,12 @@ public:
                                           : Vec3(place.x, place.y, place.z + this->Distance);
   }
 
+  /// Along the ray through a place, away from the light, of any length.
+  Vec3 onward(const Vec3& place) const
+  {
+    return this->Kind == Kinds::Direction ? Vec3(0.0, 0.0, 1.0) : this->view(place);
+  }
+
   Vec3 viewOf(const Vec3& point) const { return this->view(this->place(point)); }
 
   /// Whether all views within the bounds have a positive z.

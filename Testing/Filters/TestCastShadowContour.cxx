@@ -10,6 +10,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkExecutive.h>
+#include <vtkMath.h>
 #include <vtkPointData.h>
 #include <vtkSMPTools.h>
 #include <vtkTestErrorObserver.h>
@@ -156,6 +157,32 @@ TEST(CastShadowContour, SphereOnPlane)
       EXPECT_LT(farthest,
         kind == vtkSmoothLightSilhouette::SMOOTH ? tolerance::SphereContour : 0.05);
     }
+  }
+}
+
+// Where a contour's segment has almost no length, a receiver's edge is behind it all the same.
+TEST(CastShadowContour, SegmentsOfAlmostNoLength)
+{
+  for (const LightPosition& light :
+    { LightPosition{ 0.0, 0.0, 1.0, 0.0 }, LightPosition{ 1.0, 0.0, 1e3, 1.0 } })
+  {
+    Contours on({ moved(icosphere(4), 1.0, { 1.0, 0.0, 2.5 }) }, { ground(-2.0, 8.0, 3) }, light,
+      vtkSmoothLightSilhouette::SMOOTH);
+    vtkPolyData* lines = on.update();
+    ASSERT_EQ(lines->GetNumberOfLines(), 1);
+    vtkIdType count;
+    const vtkIdType* ids;
+    lines->GetLines()->GetCellAtId(0, count, ids);
+    double length = 0.0;
+    double from[3];
+    double to[3];
+    for (vtkIdType i = 0; i + 1 < count; ++i)
+    {
+      lines->GetPoint(ids[i], from);
+      lines->GetPoint(ids[i + 1], to);
+      length += std::sqrt(vtkMath::Distance2BetweenPoints(from, to));
+    }
+    EXPECT_NEAR(length, 2.0 * vtkMath::Pi(), 0.1);
   }
 }
 
