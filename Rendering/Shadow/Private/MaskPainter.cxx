@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <unordered_map>
 
 namespace
 {
@@ -115,24 +116,17 @@ void MaskPainter::BeginFrame(vtkRenderer* renderer, const std::vector<ShadowLigh
   this->Settings = settings;
   this->Lights = lights;
   this->Casters = CollectShadowCasters(renderer, this->Surfaces);
-  std::vector<vtkProp*> receivingProps;
-  this->Receivers = FindReceivers(renderer, receivingProps);
-  this->ReceiverOf.clear();
-  for (std::size_t i = 0; i < receivingProps.size(); ++i)
-  {
-    this->ReceiverOf.emplace(receivingProps[i], i);
-  }
+  this->Receivers = FindReceivers(renderer, this->ReceivingProps);
   this->View = { FindWorldToClip(renderer), this->Target.GetWidth(), this->Target.GetHeight() };
 
   SceneRecord depth;
   depth.Add(renderer, 0);
   depth.Add(this->View.WorldToClip);
   depth.Append(occluders);
-  SceneRecord masks = depth;
+  SceneRecord masks = RecordScene(this->Receivers, this->Lights, this->Casters);
   masks.Add(static_cast<vtkTypeUInt64>(settingsTime));
-  masks.Append(RecordScene(this->Receivers, this->Lights, this->Casters));
   this->DepthIsOld = !settings.ReuseUnchanged || !depth.IsSameAs(this->DepthRecord);
-  this->MasksAreOld = !settings.ReuseUnchanged || !masks.IsSameAs(this->MaskRecord);
+  this->MasksAreOld = this->DepthIsOld || !masks.IsSameAs(this->MaskRecord);
   this->DepthRecord = std::move(depth);
   this->MaskRecord = std::move(masks);
 }
@@ -149,6 +143,7 @@ std::string MaskPainter::Paint(vtkRenderer* renderer, int unit)
     return tooFewBits;
   }
   const ShadowPlan plan(this->View, this->Receivers, this->Settings.Rules);
+  this->MeasureCasters();
   this->Volumes.BeginFrame();
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
   {
@@ -157,6 +152,23 @@ std::string MaskPainter::Paint(vtkRenderer* renderer, int unit)
   }
   this->Volumes.EndFrame(renderer);
   return tooFewBits;
+}
+
+void MaskPainter::MeasureCasters()
+{
+  std::unordered_map<vtkProp*, std::size_t> receiverOf;
+  for (std::size_t i = 0; i < this->ReceivingProps.size(); ++i)
+  {
+    receiverOf.emplace(this->ReceivingProps[i], i);
+  }
+  this->Boxes.clear();
+  for (const ShadowCaster& caster : this->Casters)
+  {
+    const std::array<double, 6> bounds = FindFiniteBounds(caster.Mesh);
+    const auto own = receiverOf.find(caster.Prop);
+    this->Boxes.push_back({ bounds, FindDiagonal(bounds),
+      own != receiverOf.end() ? own->second : ShadowPlan::NoReceiver });
+  }
 }
 
 std::string MaskPainter::PaintMask(
@@ -169,7 +181,8 @@ std::string MaskPainter::PaintMask(
   for (std::size_t j = 0; j < this->Casters.size(); ++j)
   {
     const double start = vtkTimerLog::GetUniversalTime();
-    volumes.push_back(this->PlanVolume(renderer, plan, light, this->Casters[j]));
+    volumes.push_back(
+      this->PlanVolume(renderer, plan, light, this->Casters[j], this->Boxes[j]));
     const PlannedVolume& planned = volumes.back();
     depth += planned.Buffers ? planned.Buffers->GetGreatestDepth() : 0;
     this->AddStep(
@@ -196,16 +209,17 @@ std::string MaskPainter::PaintMask(
 }
 
 MaskPainter::PlannedVolume MaskPainter::PlanVolume(vtkRenderer* renderer, const ShadowPlan& plan,
-  const ShadowLight& light, const ShadowCaster& caster)
+  const ShadowLight& light, const ShadowCaster& caster, const CasterBox& box)
 {
   PlannedVolume planned;
-  planned.Plan = this->Decide(renderer, plan, light, caster);
+  planned.Plan = this->Decide(renderer, plan, light, caster, box);
   if (planned.Plan.Skip)
   {
     return planned;
   }
   const int made = this->Volumes.GetNumberMade();
-  const VolumeCache::Quality quality = this->ChooseQuality(renderer, caster, planned.Plan);
+  const VolumeCache::Quality quality =
+    this->ChooseQuality(renderer, caster, box, planned.Plan);
   const VolumeBuffers& buffers = this->Volumes.Get(renderer, caster.Mesh,
     caster.MoveIntoMesh(light.Position), quality, this->Counter.GetAttribute());
   if (buffers.IsEmpty())
@@ -227,40 +241,37 @@ MaskPainter::PlannedVolume MaskPainter::PlanVolume(vtkRenderer* renderer, const 
  * for a mesh: not for one that would be skipped with as much as it is large.
  */
 CasterPlan MaskPainter::Decide(vtkRenderer* renderer, const ShadowPlan& plan,
-  const ShadowLight& light, const ShadowCaster& caster)
+  const ShadowLight& light, const ShadowCaster& caster, const CasterBox& box)
 {
   constexpr double share = 0.1;
   const PlanLight planLight{ light.Position, light.Direction, light.ConeAngle };
-  const auto own = this->ReceiverOf.find(caster.Prop);
-  const std::size_t receiver = own != this->ReceiverOf.end() ? own->second : ShadowPlan::NoReceiver;
-  const std::array<double, 6> bounds = FindFiniteBounds(caster.Mesh);
-  const double size = FindDiagonal(bounds);
   const auto decide = [&](double room) {
-    return plan.Decide(planLight, CornersOf(WithRoom(bounds, room), caster.ToWorld), receiver);
+    return plan.Decide(
+      planLight, CornersOf(WithRoom(box.Bounds, room), caster.ToWorld), box.Receiver);
   };
   const bool isSmooth = this->Settings.Kind == vtkStencilShadowPass::AUTOMATIC ||
     this->Settings.Kind == vtkStencilShadowPass::SMOOTH;
   if (!isSmooth)
   {
-    return decide(share * size);
+    return decide(share * box.Size);
   }
   if (!this->Volumes.KnowsMeshDeviation(caster.Mesh))
   {
-    const CasterPlan roomy = decide(size);
+    const CasterPlan roomy = decide(box.Size);
     if (roomy.Skip)
     {
       return roomy;
     }
   }
-  return decide(share * size + 2.0 * this->Volumes.GetMeshDeviation(renderer, caster.Mesh));
+  return decide(share * box.Size + 2.0 * this->Volumes.GetMeshDeviation(renderer, caster.Mesh));
 }
 
 /**
  * Tolerances are bounded below: where the eye touches something a pixel may be as small as one
  * likes.
  */
-VolumeCache::Quality MaskPainter::ChooseQuality(
-  vtkRenderer* renderer, const ShadowCaster& caster, CasterPlan& plan)
+VolumeCache::Quality MaskPainter::ChooseQuality(vtkRenderer* renderer, const ShadowCaster& caster,
+  const CasterBox& box, CasterPlan& plan)
 {
   constexpr double finest = 1e-6;
   VolumeCache::Quality quality{ this->Settings.Kind, 1.0, !plan.ZPass };
@@ -270,10 +281,10 @@ VolumeCache::Quality MaskPainter::ChooseQuality(
     return quality;
   }
   // All in the unit that the mesh's diagonal is.
-  const double size = FindDiagonal(FindFiniteBounds(caster.Mesh));
-  const double pixel = plan.Pixel / (FindGreatestScale(caster.ToWorld) * size);
-  const double deviation = isChosen ? this->Volumes.GetMeshDeviation(renderer, caster.Mesh) / size
-                                    : std::numeric_limits<double>::quiet_NaN();
+  const double pixel = plan.Pixel / (FindGreatestScale(caster.ToWorld) * box.Size);
+  const double deviation = isChosen
+    ? this->Volumes.GetMeshDeviation(renderer, caster.Mesh) / box.Size
+    : std::numeric_limits<double>::quiet_NaN();
   const SilhouetteChoice choice =
     ChooseSilhouette(deviation, pixel, this->Settings.PixelTolerance);
   if (isChosen)

@@ -17,7 +17,6 @@
 
 #include <array>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -89,15 +88,24 @@ private:
     const VolumeBuffers* Buffers = nullptr;
   };
 
+  /// What the plan asks of a caster for each light again.
+  struct CasterBox
+  {
+    std::array<double, 6> Bounds; ///< of the mesh
+    double Size;                  ///< their diagonal
+    std::size_t Receiver;         ///< number of the prop's own bounds among the receivers'
+  };
+
+  void MeasureCasters();
   std::string PaintMask(vtkRenderer* renderer, const ShadowPlan& plan, int mask, int unit);
   PlannedVolume PlanVolume(vtkRenderer* renderer, const ShadowPlan& plan, const ShadowLight& light,
-    const ShadowCaster& caster);
+    const ShadowCaster& caster, const CasterBox& box);
   CasterPlan Decide(vtkRenderer* renderer, const ShadowPlan& plan, const ShadowLight& light,
-    const ShadowCaster& caster);
+    const ShadowCaster& caster, const CasterBox& box);
 
   /// Adds why to the plan's reasons.
-  VolumeCache::Quality ChooseQuality(
-    vtkRenderer* renderer, const ShadowCaster& caster, CasterPlan& plan);
+  VolumeCache::Quality ChooseQuality(vtkRenderer* renderer, const ShadowCaster& caster,
+    const CasterBox& box, CasterPlan& plan);
   void CountVolume(
     const PlannedVolume& volume, const ShadowLight& light, const ShadowCaster& caster);
 
@@ -111,14 +119,15 @@ private:
   MaskSettings Settings{};
   ShadowView View;
   PlanReceivers Receivers;
+  std::vector<vtkProp*> ReceivingProps;
   std::vector<ShadowLight> Lights;
   std::vector<ShadowCaster> Casters;
-  std::unordered_map<vtkProp*, std::size_t> ReceiverOf; // number of a prop's bounds
+  std::vector<CasterBox> Boxes; // of the casters
   bool DepthIsOld = true;
   bool MasksAreOld = true;
   std::vector<PlanRow> Plan;
 
-  // What the depths and the masks in the target were drawn from.
+  // What the depths in the target were drawn from, and the masks besides those.
   SceneRecord DepthRecord;
   SceneRecord MaskRecord;
 };
