@@ -234,11 +234,9 @@ void writeContours(const shadow::CastContours& contours, const ContourInput& inp
   addCellArray(output, "Closed", contours, [](const Line& line) { return line.closed ? 1 : 0; });
   addField<vtkDoubleArray>(
     output, "LightPosition", { light[0], light[1], light[2], light[3] });
-  addField<vtkIdTypeArray>(output, "LooseEnds", { static_cast<vtkIdType>(report.loose) });
-  addField<vtkIdTypeArray>(
-    output, "NodesVisited", { static_cast<vtkIdType>(report.visits.nodes) });
-  addField<vtkIdTypeArray>(
-    output, "LeavesTested", { static_cast<vtkIdType>(report.visits.leaves) });
+  addCount(output, "LooseEnds", report.loose);
+  addCount(output, "NodesVisited", report.visits.nodes);
+  addCount(output, "LeavesTested", report.visits.leaves);
   addField<vtkDoubleArray>(output, "BuildSeconds", { report.seconds.build });
   addField<vtkDoubleArray>(output, "QuerySeconds", { report.seconds.query });
   addField<vtkDoubleArray>(output, "HiddenSeconds", { report.seconds.hidden });

@@ -3,6 +3,7 @@
 #define FieldArrays_h
 
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
@@ -22,6 +23,11 @@ void addField(vtkPolyData* output, const char* name, std::initializer_list<Value
     array->SetTypedComponent(0, component++, value);
   }
   output->GetFieldData()->AddArray(array);
+}
+
+inline void addCount(vtkPolyData* output, const char* name, std::size_t count)
+{
+  addField<vtkIdTypeArray>(output, name, { static_cast<vtkIdType>(count) });
 }
 
 #endif

@@ -52,11 +52,6 @@ vtkSmartPointer<vtkIntArray> intArray(const char* name, vtkIdType count)
   return array;
 }
 
-void addCount(vtkPolyData* output, const char* name, std::size_t count)
-{
-  addField<vtkIdTypeArray>(output, name, { static_cast<vtkIdType>(count) });
-}
-
 int pieceKind(const shadow::Caster& caster, const shadow::Piece& piece)
 {
   if (piece.isChord)

@@ -1,5 +1,7 @@
 #include "StrokeData.h"
 
+#include "FieldArrays.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -171,14 +173,6 @@ vtkSmartPointer<Attributes> wholeArrays(Attributes* attributes, vtkIdType count)
   return whole;
 }
 
-void addCount(vtkPolyData* output, const char* name, vtkIdType count)
-{
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName(name);
-  array->InsertNextValue(count);
-  output->GetFieldData()->AddArray(array);
-}
-
 void writePoints(
   const shadow::Strokes& strokes, const StrokeInput& lines, vtkPolyData* input, vtkPolyData* output)
 {
@@ -275,7 +269,7 @@ void writeStrokes(
   writePoints(strokes, lines, input, output);
   writeTriangles(strokes, lines, input, output);
   output->GetFieldData()->PassData(input->GetFieldData());
-  addCount(output, "NonFinitePoints", lines.nonFinitePoints);
-  addCount(output, "HiddenPoints", lines.hiddenPoints);
-  addCount(output, "DegenerateLines", lines.degenerateLines);
+  addCount(output, "NonFinitePoints", static_cast<std::size_t>(lines.nonFinitePoints));
+  addCount(output, "HiddenPoints", static_cast<std::size_t>(lines.hiddenPoints));
+  addCount(output, "DegenerateLines", static_cast<std::size_t>(lines.degenerateLines));
 }

@@ -1,5 +1,6 @@
 #include "VolumeData.h"
 
+#include "FieldArrays.h"
 #include "IndexSet.h"
 #include "SMPRangeLoop.h"
 #include "VolumeDepth.h"
@@ -16,7 +17,6 @@
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedIntArray.h"
-
 
 namespace
 {
@@ -132,14 +132,6 @@ private:
   vtkIdType Next = 0;
 };
 
-void addInteger(vtkPolyData* output, const char* name, int value)
-{
-  vtkNew<vtkIntArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  output->GetFieldData()->AddArray(array);
-}
-
 // Gives the nodes that are used numbers of their own.
 class UsedNodes
 {
@@ -236,14 +228,11 @@ void writeVolume(const shadow::ShadowVolume& volume, const shadow::Vec3& centre,
     data.add(shadow::VolumePart::Wall, strip.multiplicity);
   }
   data.write(output);
-  addInteger(output, "Closed", closed);
-  addInteger(output, "GreatestDepth", volume.greatestDepth);
+  addField<vtkIntArray>(output, "Closed", { closed ? 1 : 0 });
+  addField<vtkIntArray>(output, "GreatestDepth", { volume.greatestDepth });
   if (closed && end.extent != shadow::Extent::Infinite)
   {
-    vtkNew<vtkDoubleArray> enclosed;
-    enclosed->SetName("Volume");
-    enclosed->InsertNextValue(shadow::enclosedVolume(volume, centre));
-    output->GetFieldData()->AddArray(enclosed);
+    addField<vtkDoubleArray>(output, "Volume", { shadow::enclosedVolume(volume, centre) });
   }
 }
 
@@ -258,6 +247,6 @@ void writeNearEnd(const shadow::NearEnd& end, vtkPolyData* output)
   data.write(output);
   nodes.write(end, output);
   writeCapTriangles(end, output);
-  addInteger(output, "GreatestDepth", shadow::greatestDepth(end));
-  addInteger(output, "LightOutside", end.lightIsOutside ? 1 : 0);
+  addField<vtkIntArray>(output, "GreatestDepth", { shadow::greatestDepth(end) });
+  addField<vtkIntArray>(output, "LightOutside", { end.lightIsOutside ? 1 : 0 });
 }
