@@ -1,5 +1,7 @@
 #include "DrawingView.h"
 
+#include "Vectors.h"
+
 #include <vtkCellArray.h>
 #include <vtkPointData.h>
 
@@ -15,31 +17,10 @@ constexpr double StepsOnSheet = 500.0;
 constexpr double ShortestPiece = 1e-3;
 constexpr int MostSteps = 10000; // a segment that comes near to the eye is seen very long
 
-double Dot(const Vector3& a, const Vector3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector3 Cross(const Vector3& a, const Vector3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
 Vector3 Mix(const Vector3& a, const Vector3& b, double share)
 {
   return { a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]),
     a[2] + share * (b[2] - a[2]) };
-}
-
-Vector3 Along(const Vector3& a, double s, const Vector3& b)
-{
-  return { a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2] };
-}
-
-Vector3 Unit(const Vector3& a)
-{
-  const double length = std::sqrt(Dot(a, a));
-  return { a[0] / length, a[1] / length, a[2] / length };
 }
 
 double LengthOf(const std::vector<Point2>& piece)
@@ -60,7 +41,7 @@ DrawingView::DrawingView(const Camera& camera, bool parallel, const std::array<i
   , Sight(blockers)
 {
   const Vector3 gaze = Along(camera.At, -1.0, camera.Eye);
-  this->Distance = std::sqrt(Dot(gaze, gaze));
+  this->Distance = Length(gaze);
   this->Forward = Unit(gaze);
   this->Right = Unit(Cross(this->Forward, Unit(camera.Up)));
   this->Up = Cross(this->Right, this->Forward);

@@ -1,5 +1,7 @@
 #include "LineOfSight.h"
 
+#include "Vectors.h"
+
 #include <vtkBoundingBox.h>
 #include <vtkNew.h>
 
@@ -10,16 +12,6 @@ namespace
 {
 constexpr double Bias = 1e-5;
 constexpr int Halvings = 12;
-
-Vector3 Along(const Vector3& a, double s, const Vector3& b)
-{
-  return { a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2] };
-}
-
-double Length(const Vector3& a)
-{
-  return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-}
 }
 
 LineOfSight::LineOfSight(const std::vector<vtkPolyData*>& meshes)

@@ -1,5 +1,7 @@
 #include "Scene.h"
 
+#include "Vectors.h"
+
 #include <vtkPolyData.h>
 
 #include <algorithm>
@@ -14,31 +16,6 @@ constexpr Vector3 EyeDirection = { 0.30, 0.55, 1.0 };
 constexpr double LongestShadow = 2.2; // what reaches farther may leave the picture
 constexpr double GroundHalfWidth = 25.0;
 constexpr double Margin = 1.08;
-
-double Dot(const Vector3& a, const Vector3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector3 Cross(const Vector3& a, const Vector3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-// a + s b
-Vector3 Along(const Vector3& a, double s, const Vector3& b)
-{
-  return { a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2] };
-}
-
-Vector3 Unit(const Vector3& a)
-{
-  // Divided first: squares of very long or very short vectors would leave the range of a double.
-  const double largest = std::max({ std::abs(a[0]), std::abs(a[1]), std::abs(a[2]) });
-  const Vector3 scaled = { a[0] / largest, a[1] / largest, a[2] / largest };
-  const double length = std::sqrt(Dot(scaled, scaled));
-  return { scaled[0] / length, scaled[1] / length, scaled[2] / length };
-}
 
 // z is in front where y is up, -y where z is.
 std::array<Vector3, 3> FrameAxes(const Vector3& upwards)
@@ -76,7 +53,7 @@ Scene::Scene(const std::vector<vtkPolyData*>& meshes, const SceneOptions& option
   this->Centre = { 0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0.5 * (low[2] + high[2]) };
   this->Lowest = low[1];
   const Vector3 diagonal = Along(high, -1.0, low);
-  this->Radius = 0.5 * std::sqrt(Dot(diagonal, diagonal));
+  this->Radius = 0.5 * Length(diagonal);
   if (this->Radius == 0.0)
   {
     this->Radius = 1.0;
