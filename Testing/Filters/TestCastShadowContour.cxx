@@ -1,6 +1,7 @@
 #include "ContourOracle.h"
 #include "ContourScenes.h"
 #include "OutputComparison.h"
+#include "PolylineDistance.h"
 #include "Random.h"
 #include "ShadowPipeline.h"
 #include "TestMeshes.h"
@@ -170,19 +171,7 @@ TEST(CastShadowContour, SegmentsOfAlmostNoLength)
       vtkSmoothLightSilhouette::SMOOTH);
     vtkPolyData* lines = on.update();
     ASSERT_EQ(lines->GetNumberOfLines(), 1);
-    vtkIdType count;
-    const vtkIdType* ids;
-    lines->GetLines()->GetCellAtId(0, count, ids);
-    double length = 0.0;
-    double from[3];
-    double to[3];
-    for (vtkIdType i = 0; i + 1 < count; ++i)
-    {
-      lines->GetPoint(ids[i], from);
-      lines->GetPoint(ids[i + 1], to);
-      length += std::sqrt(vtkMath::Distance2BetweenPoints(from, to));
-    }
-    EXPECT_NEAR(length, 2.0 * vtkMath::Pi(), 0.1);
+    EXPECT_NEAR(lengthOfLines(lines), 2.0 * vtkMath::Pi(), 0.1);
   }
 }
 

@@ -2,11 +2,11 @@
 // contour is taken for hidden.
 
 #include "MeshBuilder.h"
+#include "PolylineDistance.h"
 #include "ShadowPipeline.h"
 #include "TestMeshes.h"
 
 #include <vtkCastShadowContour.h>
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkMath.h>
 #include <vtkPolyData.h>
@@ -50,23 +50,6 @@ Mesh turnedL(double degrees, int first)
   }
   return builder.build();
 }
-
-double lengthOf(vtkPolyData* lines, vtkIdType line)
-{
-  vtkIdType count;
-  const vtkIdType* ids;
-  lines->GetLines()->GetCellAtId(line, count, ids);
-  double length = 0.0;
-  for (vtkIdType i = 0; i + 1 < count; ++i)
-  {
-    double from[3];
-    double to[3];
-    lines->GetPoint(ids[i], from);
-    lines->GetPoint(ids[i + 1], to);
-    length += std::sqrt(vtkMath::Distance2BetweenPoints(from, to));
-  }
-  return length;
-}
 }
 
 TEST(ContourClosure, ConcaveCasters)
@@ -96,7 +79,7 @@ TEST(ContourClosure, ConcaveCasters)
         ASSERT_GT(lines->GetNumberOfLines(), 0);
         for (vtkIdType line = 0; line < lines->GetNumberOfLines(); ++line)
         {
-          EXPECT_GT(lengthOf(lines, line), 0.01) << degrees << " degrees, corner " << first;
+          EXPECT_GT(lengthOfLine(lines, line), 0.01) << degrees << " degrees, corner " << first;
         }
         // One edge of the notch may lie in the shadow of another, which cuts the line.
         if (visible->GetRange()[0] == 1.0)

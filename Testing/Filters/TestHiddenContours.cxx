@@ -3,6 +3,7 @@
 #include "ChainChecks.h"
 #include "ContourScenes.h"
 #include "HostileMeshes.h"
+#include "PolylineDistance.h"
 #include "Random.h"
 #include "RayCast.h"
 #include "RealMeshes.h"
@@ -74,20 +75,9 @@ double lengthOf(vtkPolyData* contours, bool visible)
   double sum = 0.0;
   for (vtkIdType line = 0; line < contours->GetNumberOfLines(); ++line)
   {
-    if ((contours->GetCellData()->GetArray("Visible")->GetComponent(line, 0) != 0.0) != visible)
+    if ((contours->GetCellData()->GetArray("Visible")->GetComponent(line, 0) != 0.0) == visible)
     {
-      continue;
-    }
-    vtkIdType count;
-    const vtkIdType* ids;
-    contours->GetLines()->GetCellAtId(line, count, ids);
-    for (vtkIdType i = 0; i + 1 < count; ++i)
-    {
-      Vec3 from;
-      Vec3 to;
-      contours->GetPoint(ids[i], from.data());
-      contours->GetPoint(ids[i + 1], to.data());
-      sum += std::sqrt(dot(to - from, to - from));
+      sum += lengthOfLine(contours, line);
     }
   }
   return sum;

@@ -2,28 +2,20 @@
 
 #include "ChainChecks.h"
 #include "ContourScenes.h"
+#include "PolylineDistance.h"
+#include "Random.h"
 #include "ShadowPipeline.h"
 #include "Tolerances.h"
 
 #include <vtkCastShadowContour.h>
-#include <vtkCellArray.h>
 #include <vtkExecutive.h>
-#include <vtkMath.h>
 #include <vtkTestErrorObserver.h>
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstdlib>
 
 namespace
 {
-std::uint64_t fromEnvironment(const char* name, std::uint64_t otherwise)
-{
-  const char* value = std::getenv(name);
-  return value ? std::strtoull(value, nullptr, 10) : otherwise;
-}
-
 /// All filters of a scene.
 struct ContourPipeline
 {
@@ -52,33 +44,10 @@ struct ContourPipeline
 };
 }
 
-namespace
-{
-double lengthOf(vtkPolyData* lines)
-{
-  double sum = 0.0;
-  for (vtkIdType line = 0; line < lines->GetNumberOfLines(); ++line)
-  {
-    vtkIdType count;
-    const vtkIdType* ids;
-    lines->GetLines()->GetCellAtId(line, count, ids);
-    for (vtkIdType i = 0; i + 1 < count; ++i)
-    {
-      double from[3];
-      double to[3];
-      lines->GetPoint(ids[i], from);
-      lines->GetPoint(ids[i + 1], to);
-      sum += std::sqrt(vtkMath::Distance2BetweenPoints(from, to));
-    }
-  }
-  return sum;
-}
-}
-
 TEST(ContourScenes, LinesAreClosedOrEndWhereTheyMay)
 {
-  const std::uint64_t first = fromEnvironment("SMOOTHSHADOW_TEST_SEED", 1);
-  const std::uint64_t count = fromEnvironment("SMOOTHSHADOW_TEST_SCENES", 1000);
+  const std::uint64_t first = shadowtest::fromEnvironment("SMOOTHSHADOW_TEST_SEED", 1);
+  const std::uint64_t count = shadowtest::fromEnvironment("SMOOTHSHADOW_TEST_SCENES", 1000);
   std::uint64_t refused = 0;
   shadowtest::LineReport all;
   for (std::uint64_t seed = first; seed < first + count && !HasFailure(); ++seed)
@@ -118,8 +87,8 @@ TEST(ContourScenes, LinesAreClosedOrEndWhereTheyMay)
 // Hidden parts are cut out of lines and nothing is lost, whatever touches or pierces whatever.
 TEST(ContourScenes, HiddenAndVisiblePartsAreTheWhole)
 {
-  const std::uint64_t first = fromEnvironment("SMOOTHSHADOW_TEST_SEED", 1);
-  const std::uint64_t count = fromEnvironment("SMOOTHSHADOW_TEST_SCENES", 1000);
+  const std::uint64_t first = shadowtest::fromEnvironment("SMOOTHSHADOW_TEST_SEED", 1);
+  const std::uint64_t count = shadowtest::fromEnvironment("SMOOTHSHADOW_TEST_SCENES", 1000);
   double hidden = 0.0;
   double visible = 0.0;
   for (std::uint64_t seed = first; seed < first + count && !HasFailure(); ++seed)
@@ -132,7 +101,7 @@ TEST(ContourScenes, HiddenAndVisiblePartsAreTheWhole)
     {
       continue;
     }
-    const double whole = lengthOf(pipeline.Contour->GetOutput());
+    const double whole = shadowtest::lengthOfLines(pipeline.Contour->GetOutput());
     for (vtkPolyData* caster : scene.Casters)
     {
       pipeline.Contour->AddInputData(2, caster);
@@ -141,10 +110,10 @@ TEST(ContourScenes, HiddenAndVisiblePartsAreTheWhole)
     pipeline.Contour->Update();
     EXPECT_EQ(shadowtest::nonFiniteNumbers(pipeline.Contour->GetOutput()), 0);
     EXPECT_NEAR(
-      lengthOf(pipeline.Contour->GetOutput()), whole, shadowtest::tolerance::Moved * whole);
+      shadowtest::lengthOfLines(pipeline.Contour->GetOutput()), whole, shadowtest::tolerance::Moved * whole);
     pipeline.Contour->KeepHiddenOff();
     pipeline.Contour->Update();
-    const double seen = lengthOf(pipeline.Contour->GetOutput());
+    const double seen = shadowtest::lengthOfLines(pipeline.Contour->GetOutput());
     EXPECT_LE(seen, (1.0 + shadowtest::tolerance::Moved) * whole);
     visible += seen;
     hidden += whole - seen;

@@ -3,6 +3,7 @@
 
 #include "ChainChecks.h"
 #include "ExactShadow.h"
+#include "Random.h"
 #include "RandomMeshes.h"
 #include "ShadowPipeline.h"
 #include "Tolerances.h"
@@ -11,23 +12,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-
-namespace
-{
-// SMOOTHSHADOW_TEST_SCENES asks for another number than the 1,000 of a usual run, and
-// SMOOTHSHADOW_TEST_SEED for another first seed.
-std::uint64_t fromEnvironment(const char* name, std::uint64_t otherwise)
-{
-  const char* value = std::getenv(name);
-  return value ? std::strtoull(value, nullptr, 10) : otherwise;
-}
-}
 
 TEST(RandomMeshes, ChainsAndVolumesAreClosed)
 {
-  const std::uint64_t first = fromEnvironment("SMOOTHSHADOW_TEST_SEED", 1);
-  const std::uint64_t count = fromEnvironment("SMOOTHSHADOW_TEST_SCENES", 1000);
+  const std::uint64_t first = shadowtest::fromEnvironment("SMOOTHSHADOW_TEST_SEED", 1);
+  const std::uint64_t count = shadowtest::fromEnvironment("SMOOTHSHADOW_TEST_SCENES", 1000);
   vtkIdType segments = 0;
   vtkIdType triangles = 0;
   for (std::uint64_t seed = first; seed < first + count && !HasFailure(); ++seed)
@@ -65,8 +54,8 @@ bool pointIsInside(const shadowtest::RandomMesh& scene, const shadowtest::Vec3& 
 // light.
 TEST(RandomMeshes, DiscreteVolumesWindAroundWhatIsInShadow)
 {
-  const std::uint64_t first = fromEnvironment("SMOOTHSHADOW_TEST_SEED", 1);
-  const std::uint64_t count = fromEnvironment("SMOOTHSHADOW_TEST_SCENES", 1000);
+  const std::uint64_t first = shadowtest::fromEnvironment("SMOOTHSHADOW_TEST_SEED", 1);
+  const std::uint64_t count = shadowtest::fromEnvironment("SMOOTHSHADOW_TEST_SCENES", 1000);
   std::uint64_t inShadow = 0;
   std::uint64_t lit = 0;
   for (std::uint64_t seed = first; seed < first + count && !HasFailure(); ++seed)
@@ -125,8 +114,8 @@ TEST(RandomMeshes, DiscreteVolumesWindAroundWhatIsInShadow)
 // Outside of closed meshes the lit and the dark cap cast the same shadow, for every kind.
 TEST(RandomMeshes, LitAndDarkCapsCastTheSameShadow)
 {
-  const std::uint64_t first = fromEnvironment("SMOOTHSHADOW_TEST_SEED", 1);
-  const std::uint64_t count = fromEnvironment("SMOOTHSHADOW_TEST_SCENES", 1000);
+  const std::uint64_t first = shadowtest::fromEnvironment("SMOOTHSHADOW_TEST_SEED", 1);
+  const std::uint64_t count = shadowtest::fromEnvironment("SMOOTHSHADOW_TEST_SCENES", 1000);
   std::uint64_t inShadow = 0;
   for (std::uint64_t seed = first; seed < first + count && !HasFailure(); ++seed)
   {

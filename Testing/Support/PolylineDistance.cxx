@@ -13,24 +13,30 @@ namespace shadowtest
 {
 namespace
 {
-/// Calls visit(p, q) with the ends of each segment of all lines.
+/// Calls visit(p, q) with the ends of each segment of a line.
+template <class Visit>
+void forEachSegment(vtkPolyData* polylines, vtkIdType line, const Visit& visit)
+{
+  vtkIdType size;
+  const vtkIdType* ids;
+  polylines->GetLines()->GetCellAtId(line, size, ids);
+  for (vtkIdType i = 0; i + 1 < size; ++i)
+  {
+    double p[3];
+    double q[3];
+    polylines->GetPoint(ids[i], p);
+    polylines->GetPoint(ids[i + 1], q);
+    visit(p, q);
+  }
+}
+
+/// The same for all lines.
 template <class Visit>
 void forEachSegment(vtkPolyData* polylines, const Visit& visit)
 {
-  vtkCellArray* lines = polylines->GetLines();
-  for (vtkIdType cell = 0; cell < lines->GetNumberOfCells(); ++cell)
+  for (vtkIdType line = 0; line < polylines->GetLines()->GetNumberOfCells(); ++line)
   {
-    vtkIdType size;
-    const vtkIdType* ids;
-    lines->GetCellAtId(cell, size, ids);
-    for (vtkIdType i = 0; i + 1 < size; ++i)
-    {
-      double p[3];
-      double q[3];
-      polylines->GetPoint(ids[i], p);
-      polylines->GetPoint(ids[i + 1], q);
-      visit(p, q);
-    }
+    forEachSegment(polylines, line, visit);
   }
 }
 
@@ -59,12 +65,22 @@ double distanceToLines(vtkPolyData* polylines, const double point[3])
   return std::sqrt(least);
 }
 
+double lengthOfLine(vtkPolyData* polylines, vtkIdType line)
+{
+  double length = 0.0;
+  forEachSegment(polylines, line,
+    [&](const double p[3], const double q[3])
+    { length += std::sqrt(vtkMath::Distance2BetweenPoints(p, q)); });
+  return length;
+}
+
 double lengthOfLines(vtkPolyData* polylines)
 {
   double length = 0.0;
-  forEachSegment(polylines,
-    [&](const double p[3], const double q[3])
-    { length += std::sqrt(vtkMath::Distance2BetweenPoints(p, q)); });
+  for (vtkIdType line = 0; line < polylines->GetLines()->GetNumberOfCells(); ++line)
+  {
+    length += lengthOfLine(polylines, line);
+  }
   return length;
 }
 

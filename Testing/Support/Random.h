@@ -9,10 +9,19 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 
 namespace shadowtest
 {
+/// A number that the environment asks for: SMOOTHSHADOW_TEST_SCENES is another number of random
+/// scenes than the 1,000 of a usual run, SMOOTHSHADOW_TEST_SEED another first seed.
+inline std::uint64_t fromEnvironment(const char* name, std::uint64_t otherwise)
+{
+  const char* value = std::getenv(name);
+  return value ? std::strtoull(value, nullptr, 10) : otherwise;
+}
+
 class Random
 {
 public:
