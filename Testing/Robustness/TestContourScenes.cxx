@@ -109,8 +109,8 @@ TEST(ContourScenes, HiddenAndVisiblePartsAreTheWhole)
     pipeline.Contour->KeepHiddenOn();
     pipeline.Contour->Update();
     EXPECT_EQ(shadowtest::nonFiniteNumbers(pipeline.Contour->GetOutput()), 0);
-    EXPECT_NEAR(
-      shadowtest::lengthOfLines(pipeline.Contour->GetOutput()), whole, shadowtest::tolerance::Moved * whole);
+    EXPECT_NEAR(shadowtest::lengthOfLines(pipeline.Contour->GetOutput()), whole,
+      shadowtest::tolerance::Moved * whole);
     pipeline.Contour->KeepHiddenOff();
     pipeline.Contour->Update();
     const double seen = shadowtest::lengthOfLines(pipeline.Contour->GetOutput());
