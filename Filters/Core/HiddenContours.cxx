@@ -59,7 +59,8 @@ struct ContourBlockers::MovedPiece
 };
 
 ContourBlockers::ContourBlockers(const std::vector<ContourReceiver>& casters,
-  const ContourLoops& loops, const Light& light, const LightFrame& frame, const RangeLoop& loop)
+  const ContourLoops& loops, const Light& light, const LightFrame& frame, BlockerSides sides,
+  const RangeLoop& loop)
   : Frame(frame)
   , Around(loops, casters, light, loop)
   , Charts(frame.hasOneChart())
@@ -69,7 +70,7 @@ ContourBlockers::ContourBlockers(const std::vector<ContourReceiver>& casters,
   Index firstVertex = 0;
   for (const ContourReceiver& caster : casters)
   {
-    this->addCaster(caster, firstVertex, loop);
+    this->addCaster(caster, firstVertex, sides, loop);
     firstVertex += static_cast<Index>(caster.mesh->points.size());
   }
   for (std::size_t chart = 0; chart < this->Charts.count(); ++chart)
@@ -79,15 +80,16 @@ ContourBlockers::ContourBlockers(const std::vector<ContourReceiver>& casters,
 }
 
 void ContourBlockers::addCaster(
-  const ContourReceiver& caster, Index firstVertex, const RangeLoop& loop)
+  const ContourReceiver& caster, Index firstVertex, BlockerSides sides, const RangeLoop& loop)
 {
   const ReceiverView view(caster, this->Frame, loop);
   const TriangleMesh& mesh = *caster.mesh;
-  const bool isClosed = caster.edges->regular == caster.edges->edges.size();
-  const std::size_t count = isClosed ? view.lit().size() : mesh.triangles.size();
+  const bool areLitEnough = sides == BlockerSides::Needed &&
+    caster.edges->regular == caster.edges->edges.size();
+  const std::size_t count = areLitEnough ? view.lit().size() : mesh.triangles.size();
   for (std::size_t i = 0; i < count; ++i)
   {
-    const Index triangle = isClosed ? view.lit()[i] : static_cast<Index>(i);
+    const Index triangle = areLitEnough ? view.lit()[i] : static_cast<Index>(i);
     Triangle t = mesh.triangles[triangle];
     if (!view.isLit(triangle))
     {
@@ -167,22 +169,27 @@ void ContourBlockers::addSpan(const MovedPiece& piece, const Blocker& blocker,
   }
 }
 
+Box2 ContourBlockers::boxOf(std::size_t chart, const Vec3* views, std::size_t count) const
+{
+  if (!this->Frame.hasOneChart())
+  {
+    return LightCharts::boxIn(chart, views, count);
+  }
+  Box2 box;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    box.add(LightCharts::boxOf(views[i]));
+  }
+  return box;
+}
+
 void ContourBlockers::findSpans(
   const MovedPiece& piece, std::vector<std::array<double, 2>>& spans) const
 {
   TreeVisits visits;
   for (std::size_t chart = 0; chart < this->Charts.count(); ++chart)
   {
-    Box2 box;
-    if (this->Frame.hasOneChart())
-    {
-      box = LightCharts::boxOf(piece.views[0]);
-      box.add(LightCharts::boxOf(piece.views[1]));
-    }
-    else
-    {
-      box = LightCharts::boxIn(chart, piece.views.data(), 2);
-    }
+    const Box2 box = this->boxOf(chart, piece.views.data(), piece.views.size());
     if (isEmpty(box))
     {
       continue;
@@ -225,5 +232,40 @@ HiddenSpans ContourBlockers::hiddenSpans(const std::vector<ContourPiece>& pieces
     hidden.first.push_back(hidden.spans.size());
   }
   return hidden;
+}
+
+Obstruction ContourBlockers::obstructionOf(const Vec3& point) const
+{
+  const Vec3 place = this->Frame.place(point);
+  const Vec3 view = this->Frame.view(place);
+  const double error = movedShare * this->Frame.size();
+  Obstruction found = Obstruction::None;
+  TreeVisits visits;
+  for (std::size_t chart = 0; chart < this->Charts.count() && found != Obstruction::Other; ++chart)
+  {
+    const Box2 box = this->boxOf(chart, &view, 1);
+    if (isEmpty(box))
+    {
+      continue;
+    }
+    this->Trees[chart].search(box, visits,
+      [&](Index item)
+      {
+        const Blocker& blocker = this->Blockers[this->Items[chart][item]];
+        // Cross products of the same two views in turn are each other's negative bit for bit, so a
+        // view on a common edge is within one of two triangles at least.
+        const double sides[3] = { glm::dot(blocker.edges[0], view),
+          glm::dot(blocker.edges[1], view), glm::dot(blocker.edges[2], view) };
+        const bool isWithin = sides[0] >= 0.0 && sides[1] >= 0.0 && sides[2] >= 0.0 &&
+          sides[0] + sides[1] + sides[2] > 0.0;
+        if (isWithin && glm::dot(blocker.normal, place) - blocker.offset > error)
+        {
+          found = this->Around.touchesAny(blocker.vertices) ? Obstruction::Around
+                                                            : Obstruction::Other;
+        }
+        return found != Obstruction::Other;
+      });
+  }
+  return found;
 }
 }

@@ -1,0 +1,65 @@
+/**
+ * @class   vtkShadowedReceiver
+ * @brief   receivers split along the contours of cast shadows, each part lit or not, and how much is
+ *
+ * Inputs and the light are those of vtkCastShadowAlgorithm. Triangles that face the light are cut
+ * along the visible contours (vtkCastShadowContour) and where casters pierce or touch them; so what
+ * remains is all lit or all in shadow, and a ray from the middle of each part to the light tells.
+ * What is inside of a closed caster is in shadow, as is what a caster stands on. Triangles that turn
+ * away from the light are not cut and not lit.
+ *
+ * Without casters (port 2) nothing is in shadow, as silhouettes alone do not say what is between
+ * them and which of them another caster hides: silhouettes without any caster are an error. Connect
+ * the mesh of each silhouette, and the silhouette of each caster: the shadow of a caster without one
+ * ends at the edges of triangles, wherever their middles are in it.
+ *
+ * Near accurate and smooth silhouettes, which lie within the shadow of their own mesh, the contour
+ * decides: what has nothing between it and the light but what is around such a silhouette
+ * (vtkCastShadowContour) is as the side of the contour at its rim says, or else as the nearest part
+ * that can be reached without crossing a contour or a caster.
+ *
+ * Output: convex polygons, in the order of the receivers and their triangles and wound as these.
+ * Polygons that meet have all points on what they share in common, those of neighbouring triangles
+ * too; therefore some have points in the middle of straight sides. Polygons and strips of the input
+ * come as triangles. Together the polygons have the area of the receivers.
+ * - PointData: the arrays that all receivers have, interpolated (normals then are not of unit
+ *   length). Of points with equal coordinates those of the first one.
+ * - CellData `Lit` (unsigned char, 1: the light reaches it), `TurnedAway` (unsigned char, 1: it faces
+ *   away from the light), `Receiver` (number of the input on port 1), `ReceiverCell` (id of its cell
+ *   there), and the arrays that all receivers have.
+ * - FieldData `LitArea`, `ShadowedArea` (faces the light, but is in shadow), `TurnedAwayArea`
+ *   (double, one value for each receiver, world units squared; their sum is the receiver's area),
+ *   `LightPosition` (4).
+ *
+ * Parts that are narrower than 1e-14 of the largest coordinate are not told apart. What is nearer to
+ * a receiver's plane than 1e-9 of the scene casts no shadow there. O(n log n) polygons are to be
+ * expected for n segments of contours on a triangle.
+ *
+ * Errors are those of vtkCastShadowAlgorithm, and silhouettes without casters. Empty inputs give an
+ * empty output.
+ */
+#ifndef vtkShadowedReceiver_h
+#define vtkShadowedReceiver_h
+
+#include "vtkCastShadowAlgorithm.h"
+#include "vtkFiltersShadowModule.h" // For export macro
+
+class VTKFILTERSSHADOW_EXPORT vtkShadowedReceiver : public vtkCastShadowAlgorithm
+{
+public:
+  static vtkShadowedReceiver* New();
+  vtkTypeMacro(vtkShadowedReceiver, vtkCastShadowAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkShadowedReceiver();
+  ~vtkShadowedReceiver() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkShadowedReceiver(const vtkShadowedReceiver&) = delete;
+  void operator=(const vtkShadowedReceiver&) = delete;
+};
+
+#endif
