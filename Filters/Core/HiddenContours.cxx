@@ -1,5 +1,7 @@
 #include "HiddenContours.h"
 
+#include "ExactSum.h"
+
 namespace shadow
 {
 namespace
@@ -96,6 +98,10 @@ void ContourBlockers::addCaster(
       std::swap(t[1], t[2]);
     }
     const std::array<Vec3, 3> views{ view.view(t[0]), view.view(t[1]), view.view(t[2]) };
+    if (determinant(views[0], views[1], views[2]) == 0.0)
+    {
+      continue; // edge-on, or the light is on it
+    }
     const Vec3 place = view.place(t[0]);
     Blocker blocker;
     for (unsigned k = 0; k < 3; ++k)
