@@ -102,7 +102,7 @@ public:
       if (!this->Cells.isCut(static_cast<Index>(i)) && this->States[i] == CellState::Known &&
         this->Lights[i] != Illumination::TurnedAway)
       {
-        this->passOn(static_cast<Index>(i), 0.0, false);
+        this->passOn(static_cast<Index>(i), 0.0);
       }
     }
     while (!this->Waiting.empty())
@@ -111,45 +111,56 @@ public:
       this->Waiting.pop();
       if (this->States[cell] != CellState::Known)
       {
-        const bool isNarrow = this->States[cell] == CellState::Narrow;
         this->States[cell] = CellState::Known;
         this->Lights[cell] = light;
-        this->passOn(cell, distance, isNarrow);
+        this->passOn(cell, distance);
       }
     }
+    this->settleNarrow();
   }
 
 private:
   using Reached = std::tuple<double, Index, Illumination>;
 
+  /// Lengths of what is lit and what is in shadow.
+  struct Lengths
+  {
+    double lit = 0.0;
+    double shadowed = 0.0;
+
+    std::optional<Illumination> greater() const
+    {
+      return shadowed > lit ? std::optional(Illumination::Shadowed)
+        : lit > shadowed    ? std::optional(Illumination::Lit)
+                            : std::nullopt;
+    }
+  };
+
   std::optional<Illumination> byContours(Index cell) const
   {
-    const CellEdges& edges = this->Cells.edges();
-    double shadowed = 0.0;
-    double lit = 0.0;
+    Lengths lengths;
     for (const CellSide& side : this->Sides[cell])
     {
-      const EdgePart& part = edges.edge(side.edge);
-      const double length = glm::distance(edges.place(part.a), edges.place(part.b));
-      shadowed += (part.marks & (side.forward ? ShadowOnLeft : ShadowOnRight)) != 0 ? length : 0.0;
-      lit += (part.marks & (side.forward ? ShadowOnRight : ShadowOnLeft)) != 0 ? length : 0.0;
+      const std::uint8_t marks = this->Cells.edges().edge(side.edge).marks;
+      const double length = this->lengthOf(side);
+      lengths.shadowed += (marks & (side.forward ? ShadowOnLeft : ShadowOnRight)) != 0 ? length : 0.0;
+      lengths.lit += (marks & (side.forward ? ShadowOnRight : ShadowOnLeft)) != 0 ? length : 0.0;
     }
-    return shadowed > lit ? std::optional(Illumination::Shadowed)
-      : lit > shadowed    ? std::optional(Illumination::Lit)
-                          : std::nullopt;
+    return lengths.greater();
   }
 
-  /// To all that can be reached without crossing a contour or a caster. What is narrow may be on
-  /// either side of these; so it takes what comes, and gives it to its like alone.
-  void passOn(Index cell, double distance, bool isNarrow)
+  /// To all that can be reached without crossing a contour or a caster.
+  void passOn(Index cell, double distance)
   {
     for (const CellSide& side : this->Sides[cell])
     {
-      const bool isRim = this->Cells.edges().edge(side.edge).marks != 0;
+      if (this->Cells.edges().edge(side.edge).marks != 0)
+      {
+        continue;
+      }
       for (const Index other : this->Neighbours[side.edge])
       {
-        if (this->States[other] == CellState::Narrow ||
-          (this->States[other] == CellState::Open && !isRim && !isNarrow))
+        if (this->States[other] == CellState::Open)
         {
           this->Waiting.emplace(
             distance + glm::distance(this->Middles[cell], this->Middles[other]), other,
@@ -157,6 +168,64 @@ private:
         }
       }
     }
+  }
+
+  /// What is narrow may be on either side of what is at its rim: it is as most of what is around it.
+  void settleNarrow()
+  {
+    std::vector<Index> narrow;
+    for (std::size_t i = 0; i < this->Cells.count(); ++i)
+    {
+      if (this->States[i] == CellState::Narrow)
+      {
+        narrow.push_back(static_cast<Index>(i));
+      }
+    }
+    for (std::size_t before = narrow.size() + 1; narrow.size() < before;)
+    {
+      before = narrow.size();
+      std::vector<std::pair<Index, Illumination>> settled;
+      for (const Index cell : narrow)
+      {
+        if (const std::optional<Illumination> around = this->byNeighbours(cell))
+        {
+          settled.emplace_back(cell, *around);
+        }
+      }
+      for (const auto& [cell, light] : settled)
+      {
+        this->States[cell] = CellState::Known;
+        this->Lights[cell] = light;
+      }
+      narrow.erase(std::remove_if(narrow.begin(), narrow.end(),
+                     [&](Index cell) { return this->States[cell] == CellState::Known; }),
+        narrow.end());
+    }
+  }
+
+  std::optional<Illumination> byNeighbours(Index cell) const
+  {
+    Lengths lengths;
+    for (const CellSide& side : this->Sides[cell])
+    {
+      for (const Index other : this->Neighbours[side.edge])
+      {
+        if (this->States[other] == CellState::Known &&
+          this->Lights[other] != Illumination::TurnedAway)
+        {
+          (this->Lights[other] == Illumination::Lit ? lengths.lit : lengths.shadowed) +=
+            this->lengthOf(side);
+        }
+      }
+    }
+    return lengths.greater();
+  }
+
+  double lengthOf(const CellSide& side) const
+  {
+    const CellEdges& edges = this->Cells.edges();
+    const EdgePart& part = edges.edge(side.edge);
+    return glm::distance(edges.place(part.a), edges.place(part.b));
   }
 
   const ReceiverCells& Cells;

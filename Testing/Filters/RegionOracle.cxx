@@ -58,6 +58,16 @@ Vec3 areaNormal(const std::vector<Vec3>& polygon)
   return normal;
 }
 
+double perimeterOf(const std::vector<Vec3>& polygon)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    sum += lengthOf(polygon[(i + 1) % polygon.size()] - polygon[i]);
+  }
+  return sum;
+}
+
 /// Length of the edges that polygons do not run as often in one direction as in the other. Points of
 /// one number are one point.
 double borderOf(const std::vector<std::vector<Vec3>>& polygons,
@@ -247,7 +257,8 @@ RegionReport checkRegions(vtkPolyData* regions, const std::vector<Mesh>& receive
     const Vec3 normal = areaNormal(polygons[i]);
     const Vec3 sourceNormal = areaNormal(originals[number][source]);
     const double area = 0.5 * lengthOf(normal);
-    const bool isFlat = lengthOf(sourceNormal) > tolerance::TooClose * size * size;
+    // What is narrower is all within that of the edges of shadows.
+    const bool isWide = area > aside * perimeterOf(polygons[i]);
     report.Turned += dot(normal, sourceNormal) < 0.0 && area > tolerance::TooClose * size * size;
     areas[number][source] += area;
     const bool isLit = lit->GetComponent(cell, 0) != 0.0;
@@ -255,7 +266,7 @@ RegionReport checkRegions(vtkPolyData* regions, const std::vector<Mesh>& receive
     sums[number][isLit ? 0 : isAway ? 2 : 1] += area;
     ofReceiver[number].push_back(polygons[i]);
     idsOfReceiver[number].push_back(idsOf(regions, cell));
-    for (int look = 0; look < looks && isFlat; ++look)
+    for (int look = 0; look < looks && isWide; ++look)
     {
       const Vec3 place = placeIn(polygons[i], random);
       const Vec3 towards = rays.towards(place);
