@@ -54,11 +54,10 @@ CasterCuts::CasterCuts(const std::vector<ContourReceiver>& casters, double touch
 {
 }
 
-void CasterCuts::addCuts(const Corners& receiver, Index triangle, const Corners& caster,
-  std::vector<CellCut>& cuts) const
+void CasterCuts::addCuts(
+  const Corners& receiver, Index triangle, const Corners& caster, std::vector<CellCut>& cuts) const
 {
-  const Vec3 normal =
-    unitOrZero(glm::cross(receiver[1] - receiver[0], receiver[2] - receiver[0]));
+  const Vec3 normal = unitOrZero(glm::cross(receiver[1] - receiver[0], receiver[2] - receiver[0]));
   if (normal == Vec3(0.0))
   {
     return;
@@ -100,27 +99,24 @@ std::vector<CellCut> CasterCuts::cuts(const ReceiverView& receiver, const RangeL
 {
   const std::vector<Index>& lit = receiver.lit();
   std::vector<std::vector<CellCut>> found((lit.size() + lightGrain - 1) / lightGrain);
-  loop(found.size(), 1,
-    [&](std::size_t begin, std::size_t end)
+  loop(found.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin; block < end; ++block)
     {
-      for (std::size_t block = begin; block < end; ++block)
+      const std::size_t last = std::min(lit.size(), (block + 1) * lightGrain);
+      for (std::size_t i = block * lightGrain; i < last; ++i)
       {
-        const std::size_t last = std::min(lit.size(), (block + 1) * lightGrain);
-        for (std::size_t i = block * lightGrain; i < last; ++i)
-        {
-          const Corners corners = cornersOf(receiver.mesh(), lit[i]);
-          Box box = boxAround(corners);
-          box.low -= Vec3(this->Touch);
-          box.high += Vec3(this->Touch);
-          this->Tree.search([&](const Box& around) { return around.meets(box); },
-            [&](Index caster)
-            {
-              this->addCuts(corners, lit[i], this->Triangles[caster], found[block]);
-              return true;
-            });
-        }
+        const Corners corners = cornersOf(receiver.mesh(), lit[i]);
+        Box box = boxAround(corners);
+        box.low -= Vec3(this->Touch);
+        box.high += Vec3(this->Touch);
+        this->Tree.search([&](const Box& around) { return around.meets(box); },
+          [&](Index caster) {
+            this->addCuts(corners, lit[i], this->Triangles[caster], found[block]);
+            return true;
+          });
       }
-    });
+    }
+  });
   std::vector<CellCut> all;
   for (const std::vector<CellCut>& part : found)
   {

@@ -26,8 +26,8 @@ Index CellEdges::split(Index edge, double share)
 {
   const EdgePart whole = this->Parts[edge];
   const Index point = static_cast<Index>(this->Points.size());
-  this->Points.push_back({ glm::mix(this->place(whole.a), this->place(whole.b), share), whole.a,
-    whole.b, share });
+  this->Points.push_back(
+    { glm::mix(this->place(whole.a), this->place(whole.b), share), whole.a, whole.b, share });
   this->Parts[edge].parts = this->add(whole.a, point);
   this->Parts[this->add(point, whole.b)].marks = whole.marks;
   this->Parts[this->Parts[edge].parts].marks = whole.marks;
@@ -57,8 +57,9 @@ void CellEdges::mark(Index edge, double from, double to, std::uint8_t marks, dou
   const Vec3 start = this->place(this->Parts[edge].a);
   const Vec3 along = this->place(this->Parts[edge].b) - start;
   const double length = glm::length(along);
-  const auto shareOf = [&](Index point)
-  { return glm::dot(this->place(point) - start, along) / (length * length); };
+  const auto shareOf = [&](Index point) {
+    return glm::dot(this->place(point) - start, along) / (length * length);
+  };
   const double least = error / length;
   std::vector<Index> waiting{ edge };
   while (!waiting.empty())

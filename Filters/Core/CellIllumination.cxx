@@ -143,7 +143,8 @@ private:
     {
       const std::uint8_t marks = this->Cells.edges().edge(side.edge).marks;
       const double length = this->lengthOf(side);
-      lengths.shadowed += (marks & (side.forward ? ShadowOnLeft : ShadowOnRight)) != 0 ? length : 0.0;
+      lengths.shadowed +=
+        (marks & (side.forward ? ShadowOnLeft : ShadowOnRight)) != 0 ? length : 0.0;
       lengths.lit += (marks & (side.forward ? ShadowOnRight : ShadowOnLeft)) != 0 ? length : 0.0;
     }
     return lengths.greater();
@@ -162,15 +163,15 @@ private:
       {
         if (this->States[other] == CellState::Open)
         {
-          this->Waiting.emplace(
-            distance + glm::distance(this->Middles[cell], this->Middles[other]), other,
-            this->Lights[cell]);
+          this->Waiting.emplace(distance + glm::distance(this->Middles[cell], this->Middles[other]),
+            other, this->Lights[cell]);
         }
       }
     }
   }
 
-  /// What is narrow may be on either side of what is at its rim: it is as most of what is around it.
+  /// What is narrow may be on either side of what is at its rim: it is as most of what is around
+  /// it.
   void settleNarrow()
   {
     std::vector<Index> narrow;
@@ -244,8 +245,8 @@ Vec3 areaNormal(const std::vector<CellSide>& sides, const CellEdges& edges)
   Vec3 normal(0.0);
   for (std::size_t i = 1; i + 1 < sides.size(); ++i)
   {
-    normal += glm::cross(edges.place(edges.start(sides[i])) - origin,
-      edges.place(edges.start(sides[i + 1])) - origin);
+    normal += glm::cross(
+      edges.place(edges.start(sides[i])) - origin, edges.place(edges.start(sides[i + 1])) - origin);
   }
   return normal;
 }
@@ -256,30 +257,27 @@ std::vector<Illumination> illuminate(const ReceiverCells& cells, const ReceiverV
   std::vector<CellState> states(cells.count(), CellState::Known);
   std::vector<Illumination> illumination(cells.count(), Illumination::Lit);
   const double narrow = narrowShare * receiver.frame().size();
-  loop(cells.count(), heavyGrain,
-    [&](std::size_t begin, std::size_t end)
+  loop(cells.count(), heavyGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
     {
-      for (std::size_t i = begin; i < end; ++i)
+      const Index cell = static_cast<Index>(i);
+      if (!receiver.isLit(cells.triangle(cell)))
       {
-        const Index cell = static_cast<Index>(i);
-        if (!receiver.isLit(cells.triangle(cell)))
-        {
-          illumination[i] = Illumination::TurnedAway;
-        }
-        else if (blockers && !cells.isCut(cell))
-        {
-          const std::vector<CellSide> sides = cells.sides(cell);
-          const bool isPart = cell != cells.whole(cells.triangle(cell));
-          const Obstruction found = blockers->obstructionOf(middleOf(sides, cells.edges()));
-          // In shadow where there is no neighbour to ask.
-          illumination[i] =
-            found == Obstruction::None ? Illumination::Lit : Illumination::Shadowed;
-          states[i] = isPart && isNarrow(sides, cells.edges(), narrow) ? CellState::Narrow
-            : found == Obstruction::Around                             ? CellState::Open
-                                                                       : CellState::Known;
-        }
+        illumination[i] = Illumination::TurnedAway;
       }
-    });
+      else if (blockers && !cells.isCut(cell))
+      {
+        const std::vector<CellSide> sides = cells.sides(cell);
+        const bool isPart = cell != cells.whole(cells.triangle(cell));
+        const Obstruction found = blockers->obstructionOf(middleOf(sides, cells.edges()));
+        // In shadow where there is no neighbour to ask.
+        illumination[i] = found == Obstruction::None ? Illumination::Lit : Illumination::Shadowed;
+        states[i] = isPart && isNarrow(sides, cells.edges(), narrow) ? CellState::Narrow
+          : found == Obstruction::Around                             ? CellState::Open
+                                                                     : CellState::Known;
+      }
+    }
+  });
   if (std::any_of(
         states.begin(), states.end(), [](CellState state) { return state != CellState::Known; }))
   {

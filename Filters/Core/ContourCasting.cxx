@@ -22,8 +22,8 @@ Box boundsOf(const ContourScene& scene)
 }
 }
 
-ContourCasting::ContourCasting(const ContourScene& scene, TreeBuilder builder,
-  BlockerSides sides, const RangeLoop& loop, ContourReport& report)
+ContourCasting::ContourCasting(const ContourScene& scene, TreeBuilder builder, BlockerSides sides,
+  const RangeLoop& loop, ContourReport& report)
   : Scene(scene)
   , Loop(loop)
   , Report(report)
@@ -47,16 +47,15 @@ ReceiverContours ContourCasting::contours(Index receiver) const
   {
     const Stopwatch watch(this->Report.seconds.query);
     contours.receiver.emplace(this->Scene.receivers[receiver], this->Frame, this->Loop);
-    contours.pieces =
-      findPieces(*this->Walls, *contours.receiver, this->Loop, this->Report.visits);
-    contours.straight = pieceLines(
-      contours.pieces, *this->Walls, this->Scene.loops, *contours.receiver, this->Loop);
+    contours.pieces = findPieces(*this->Walls, *contours.receiver, this->Loop, this->Report.visits);
+    contours.straight =
+      pieceLines(contours.pieces, *this->Walls, this->Scene.loops, *contours.receiver, this->Loop);
   }
   if (this->Blockers)
   {
     const Stopwatch watch(this->Report.seconds.hidden);
-    contours.hidden = this->Blockers->hiddenSpans(
-      contours.pieces, contours.straight, *this->Walls, this->Loop);
+    contours.hidden =
+      this->Blockers->hiddenSpans(contours.pieces, contours.straight, *this->Walls, this->Loop);
   }
   return contours;
 }

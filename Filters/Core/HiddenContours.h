@@ -11,14 +11,16 @@ namespace shadow
 enum class BlockerSides
 {
   Needed, ///< those that face the light: a ray into the mesh meets one of them first
-  All     ///< so that a mesh around the light blocks too
+  All     ///< for obstructions: so a mesh around the light blocks too
 };
 
 /// What is between a point and the light.
 enum class Obstruction
 {
   None,
-  Around, ///< nothing but what is around segments of silhouettes (ChordVertices)
+  /// Nothing but what is around segments of silhouettes (ChordVertices), or between segments and
+  /// their chords on the mesh: which side of the contour the point is on is to tell.
+  Around,
   Other
 };
 
@@ -37,8 +39,7 @@ public:
   ///
   /// What is around a segment (ChordVertices) does not hide its contour.
   HiddenSpans hiddenSpans(const std::vector<ContourPiece>& pieces,
-    const std::vector<PieceLine>& straight, const ContourWalls& walls,
-    const RangeLoop& loop) const;
+    const std::vector<PieceLine>& straight, const ContourWalls& walls, const RangeLoop& loop) const;
 
   /// What the ray from a point to the light meets. Triangles that share an edge leave no gap
   /// between them; what is nearer to the point than a share of 1e-9 of the scene, measured across
@@ -52,7 +53,7 @@ private:
     Vec3 permanent;            ///< their sum with all products positive
     Vec3 normal;               ///< away from the light, of places
     double offset;             ///< of the plane
-    Triangle vertices;         ///< in numbers over all casters
+    Triangle vertices;         ///< in numbers over all casters; None: between segment and chord
 
     /// Of a triangle so tiny or thin that its sides are all rounding any view may seem to be within
     /// it.
@@ -60,9 +61,12 @@ private:
   };
   struct MovedPiece;
 
-  void addCaster(const ContourReceiver& caster, Index firstVertex, BlockerSides sides,
-    const RangeLoop& loop);
-  /// Of what has one view, or a line between two.
+  void addCaster(
+    const ContourReceiver& caster, Index firstVertex, BlockerSides sides, const RangeLoop& loop);
+  void addGaps(const ContourLoops& loops);
+  template <class BoxIn>
+  void addBlocker(std::array<Vec3, 3> places, const Triangle& vertices, const BoxIn& boxIn);
+  /// Around up to three views.
   Box2 boxOf(std::size_t chart, const Vec3* views, std::size_t count) const;
   MovedPiece moved(const PieceLine& line, const WallPlane& wall, Index segment) const;
   void addSpan(const MovedPiece& piece, const Blocker& blocker,

@@ -1,5 +1,4 @@
 #include "LitRegions.h"
-#include <cstdlib>
 
 #include "CasterCuts.h"
 #include "CellIllumination.h"
@@ -41,16 +40,15 @@ void addContours(const ReceiverContours& contours, std::vector<CellCut>& cuts)
     const Vec3& a = contours.straight[i].from.point;
     const Vec3& b = contours.straight[i].to.point;
     const double length = glm::distance(a, b);
-    const auto add = [&](double from, double to)
-    {
+    const auto add = [&](double from, double to) {
       if (to > from)
       {
-        cuts.push_back({ contours.pieces[i].triangle, glm::mix(a, b, from), glm::mix(a, b, to),
-          ShadowOnLeft });
+        cuts.push_back(
+          { contours.pieces[i].triangle, glm::mix(a, b, from), glm::mix(a, b, to), ShadowOnLeft });
       }
     };
     double at = 0.0;
-    for (std::size_t k = contours.hidden.begin(i); getenv("ALLP")==nullptr && k < contours.hidden.end(i); ++k)
+    for (std::size_t k = contours.hidden.begin(i); k < contours.hidden.end(i); ++k)
     {
       const auto& [from, to] = contours.hidden.spans[k];
       if ((to - from) * length >= contours.hidden.least || from == 0.0 || to == 1.0)
@@ -85,8 +83,8 @@ std::vector<RegionPoint> weighted(const std::vector<CellPoint>& points)
           const Index vertex = result[parent].vertices[std::size_t(k)];
           // All are of one triangle, so there is a place for each.
           glm::length_t at = 0;
-          while (region.vertices[std::size_t(at)] != None &&
-            region.vertices[std::size_t(at)] != vertex)
+          while (
+            region.vertices[std::size_t(at)] != None && region.vertices[std::size_t(at)] != vertex)
           {
             ++at;
           }
@@ -161,8 +159,8 @@ LitRegions regionsOf(
 }
 }
 
-std::vector<LitRegions> findLitRegions(const ContourScene& scene, TreeBuilder builder,
-  const RangeLoop& loop, ContourReport& report)
+std::vector<LitRegions> findLitRegions(
+  const ContourScene& scene, TreeBuilder builder, const RangeLoop& loop, ContourReport& report)
 {
   std::vector<LitRegions> all;
   const ContourCasting casting(scene, builder, BlockerSides::All, loop, report);

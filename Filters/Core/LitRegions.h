@@ -39,6 +39,6 @@ struct LitRegions
 /// of the nearest contour does.
 ///
 /// None where the light is on a silhouette (the report says so). Same bytes whatever the threads.
-std::vector<LitRegions> findLitRegions(const ContourScene& scene, TreeBuilder builder,
-  const RangeLoop& loop, ContourReport& report);
+std::vector<LitRegions> findLitRegions(
+  const ContourScene& scene, TreeBuilder builder, const RangeLoop& loop, ContourReport& report);
 }

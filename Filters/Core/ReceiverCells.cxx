@@ -8,8 +8,9 @@ namespace
 {
 using Vec2 = glm::dvec2;
 
-/// Of the largest coordinate: what is nearer to a line is on it. Points on edges, and distances from
-/// lines, are off by a few roundings; cells are as good as convex as long as this is many more.
+/// Of the largest coordinate: what is nearer to a line is on it. Points on edges, and distances
+/// from lines, are off by a few roundings; cells are as good as convex as long as this is many
+/// more.
 constexpr double roundings = 64.0 * std::numeric_limits<double>::epsilon();
 
 double cross(const Vec2& a, const Vec2& b)
@@ -65,8 +66,7 @@ ReceiverCells::ReceiverCells(const ContourReceiver& receiver)
   , Edges(*receiver.mesh, *receiver.edges)
 {
   const Box bounds = receiver.mesh->bounds();
-  this->Error =
-    roundings * std::max(largestComponent(bounds.low), largestComponent(bounds.high));
+  this->Error = roundings * std::max(largestComponent(bounds.low), largestComponent(bounds.high));
   this->Cells.reserve(receiver.mesh->triangles.size());
   for (std::size_t i = 0; i < receiver.mesh->triangles.size(); ++i)
   {
@@ -260,8 +260,7 @@ void ReceiverCells::halve(const Line& line, const Part& part)
   const Index leaves = this->pointOn(sides, distances, changes[1 - down][0], changes[1 - down][1]);
   const Index chord = this->Edges.add(enters, leaves);
   sides = this->sides(part.cell);
-  const auto from = [&](Index point)
-  {
+  const auto from = [&](Index point) {
     return std::find_if(sides.begin(), sides.end(),
       [&](const CellSide& side) { return this->Edges.start(side) == point; });
   };

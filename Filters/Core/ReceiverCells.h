@@ -47,7 +47,7 @@ private:
   {
     Index triangle;
     Index halves = None;
-    Index chord = None;          ///< the edge between them; the first is on its left
+    Index chord = None;            ///< the edge between them; the first is on its left
     std::vector<CellSide> sides{}; ///< none: those of the triangle
   };
   /// A part of a cut, by shares of its length, that is in a cell.

@@ -1,12 +1,14 @@
 // Receivers split along cast contours: areas against analytic ones, Lit against rays by brute force,
 // and nothing of the receiver lost.
 
+#include "AnalyticShadow.h"
 #include "ChainChecks.h"
 #include "ContourScenes.h"
 #include "HostileMeshes.h"
 #include "OutputComparison.h"
 #include "Random.h"
 #include "RegionOracle.h"
+#include "RealMeshes.h"
 #include "ShadowPipeline.h"
 #include "TestMeshes.h"
 #include "Tolerances.h"
@@ -21,6 +23,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <map>
 
@@ -95,4 +98,54 @@ TEST(ShadowedReceiver, RandomScenes)
     if (report.Wrong) printf("%d wrong of %d (unclear %d) polygons %lld\n", report.Wrong, report.Looks, report.Unclear, (long long)report.Polygons);
   }
   printf("%d looks %d shadowed\n", looks, shadowed);
+}
+
+namespace
+{
+double analyticSphere(const LightPosition& light, double height)
+{
+  const double axes[3] = { 1.0, 1.0, 1.0 };
+  const Plane plane{ { 0.0, 0.0, height }, { 0.0, 0.0, 1.0 } };
+  const auto contour = ellipsoidShadow(axes, light, plane)->contour(200000);
+  double sum = 0;
+  for (std::size_t i = 0; i < contour.size(); ++i)
+  {
+    const Vec3 a = shadowOn(plane, light, contour[i]);
+    const Vec3 b = shadowOn(plane, light, contour[(i + 1) % contour.size()]);
+    sum += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+  }
+  return std::fabs(sum);
+}
+}
+TEST(Probe, Real)
+{
+  for (const std::string& name : { std::string("bunny"), std::string("armadillo"), std::string("elephant") })
+  {
+    Mesh caster = name == "bunny" ? standing(bunny(), 1) : standing(cgalMesh(name), 1);
+    for (int kind : AllKinds)
+    for (int cells : {1, 128})
+    {
+      const double* b = caster->GetBounds();
+      const double size = caster->GetLength();
+      Mesh plane = moved(ground(0, 1.0, cells), 3 * size, { 0.5*(b[0]+b[1]), 0.5*(b[2]+b[3]), b[4] - 0.3 * size });
+      Regions regions({ caster }, { plane }, {0.3, 0.2, 1.0, 0.0}, kind);
+      regions.Silhouettes[0]->Update();
+      auto t0 = std::chrono::steady_clock::now();
+      const double area = regions.area("ShadowedArea");
+      double dt = std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
+      printf("%s kind %d cells %d segments %lld: polygons %lld area %.9g  %.0f ms\n", name.c_str(), kind, cells, (long long)regions.Silhouettes[0]->GetOutput()->GetNumberOfPoints(), (long long)regions.update()->GetNumberOfPolys(), area / (size * size), dt*1e3);
+    }
+    if (caster->GetNumberOfPolys() < 200000)
+    for (int kind : {0, 2})
+    {
+      Regions regions({ caster }, { caster }, {0.3, 0.2, 1.0, 0.0}, kind);
+      regions.Silhouettes[0]->Update();
+      auto t0 = std::chrono::steady_clock::now();
+      const double area = regions.area("ShadowedArea");
+      double dt = std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
+      const double size = caster->GetLength();
+      printf("  itself kind %d: polygons %lld of %lld area %.9g lit %.9g away %.9g  %.0f ms\n", kind, (long long)regions.update()->GetNumberOfPolys(), (long long)caster->GetNumberOfPolys(), area / (size * size), regions.area("LitArea")/(size*size), regions.area("TurnedAwayArea")/(size*size), dt*1e3);
+    }
+    fflush(stdout);
+  }
 }
