@@ -261,7 +261,7 @@ std::vector<Illumination> illuminate(const ReceiverCells& cells, const ReceiverV
     for (std::size_t i = begin; i < end; ++i)
     {
       const Index cell = static_cast<Index>(i);
-      if (!receiver.isLit(cells.triangle(cell)))
+      if (!receiver.isReceiving(cells.triangle(cell)))
       {
         illumination[i] = Illumination::TurnedAway;
       }

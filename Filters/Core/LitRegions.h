@@ -9,7 +9,7 @@ enum class Illumination : std::uint8_t
 {
   Lit,
   Shadowed,  ///< faces the light, but something is in between
-  TurnedAway ///< faces away from it
+  TurnedAway ///< faces away from it, or is edge-on to it
 };
 
 /// A point by its place on the receiver.

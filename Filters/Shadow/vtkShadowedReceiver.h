@@ -6,7 +6,7 @@
  * along the visible contours (vtkCastShadowContour) and where casters pierce or touch them; so what
  * remains is all lit or all in shadow, and a ray from the middle of each part to the light tells.
  * What is inside of a closed caster is in shadow, as is what a caster stands on. Triangles that turn
- * away from the light are not cut and not lit.
+ * away from the light, and those that are edge-on to it, are not lit.
  *
  * Without casters (port 2) nothing is in shadow, as silhouettes alone do not say what is between
  * them and which of them another caster hides: silhouettes without any caster are an error. Connect
@@ -25,7 +25,7 @@
  * - PointData: the arrays that all receivers have, interpolated (normals then are not of unit
  *   length). Of points with equal coordinates those of the first one.
  * - CellData `Lit` (unsigned char, 1: the light reaches it), `TurnedAway` (unsigned char, 1: it faces
- *   away from the light), `Receiver` (number of the input on port 1), `ReceiverCell` (id of its cell
+ *   away from the light or is edge-on to it), `Receiver` (number of the input on port 1), `ReceiverCell` (id of its cell
  *   there), and the arrays that all receivers have.
  * - FieldData `LitArea`, `ShadowedArea` (faces the light, but is in shadow), `TurnedAwayArea`
  *   (double, one value for each receiver, world units squared; their sum is the receiver's area),

@@ -302,8 +302,6 @@ RegionReport checkRegions(vtkPolyData* regions, const std::vector<Mesh>& receive
         }
         report.Shadowed += isShadowed;
       }
-      if (wrong && getenv("DBG")) { Vec3 mid{0,0,0}; for (auto& q : polygons[i]) mid = mid + (1.0/polygons[i].size())*q;
-        printf("polygon %zu of cell %zu r%zu area %g sides %zu lit %d away %d at %.9g %.9g %.9g: middle ray %d facing %g\n", i, source, number, area, polygons[i].size(), isLit, isAway, place[0], place[1], place[2], rays.isShadowed(mid), facing); }
       if (wrong && ++report.Wrong == 1)
       {
         std::ostringstream text;
