@@ -4,6 +4,9 @@
 #include "CellIllumination.h"
 #include "ContourCasting.h"
 
+#include <numeric>
+#include <tuple>
+
 namespace shadow
 {
 namespace
@@ -32,10 +35,19 @@ void shuffleByTriangle(std::vector<CellCut>& cuts)
   cuts.swap(sorted);
 }
 
-/// The visible parts of contours.
+/// The visible parts of contours, in an order that does not depend on how they were searched for.
 void addContours(const ReceiverContours& contours, std::vector<CellCut>& cuts)
 {
-  for (std::size_t i = 0; i < contours.pieces.size(); ++i)
+  std::vector<Index> order(contours.pieces.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  std::sort(order.begin(), order.end(),
+    [&](Index a, Index b)
+    {
+      const ContourPiece& first = contours.pieces[a];
+      const ContourPiece& second = contours.pieces[b];
+      return std::tie(first.triangle, first.segment) < std::tie(second.triangle, second.segment);
+    });
+  for (const Index i : order)
   {
     const Vec3& a = contours.straight[i].from.point;
     const Vec3& b = contours.straight[i].to.point;
