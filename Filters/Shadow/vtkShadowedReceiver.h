@@ -24,8 +24,8 @@
  * come as triangles. Together the polygons have the area of the receivers.
  * - PointData: the arrays that all receivers have, interpolated (normals then are not of unit
  *   length). Of points with equal coordinates those of the first one.
- * - CellData `Lit` (unsigned char, 1: the light reaches it), `TurnedAway` (unsigned char, 1: it faces
- *   away from the light or is edge-on to it), `Receiver` (number of the input on port 1), `ReceiverCell` (id of its cell
+ * - CellData `Lit` (signed char, 1: the light reaches it), `TurnedAway` (signed char, 1: it faces away
+ *   from the light or is edge-on to it), `Receiver` (number of the input on port 1), `ReceiverCell` (id of its cell
  *   there), and the arrays that all receivers have.
  * - FieldData `LitArea`, `ShadowedArea` (faces the light, but is in shadow), `TurnedAwayArea`
  *   (double, one value for each receiver, world units squared; their sum is the receiver's area),

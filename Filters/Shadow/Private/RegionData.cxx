@@ -11,7 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
+#include "vtkSignedCharArray.h"
 
 namespace
 {
@@ -149,8 +149,9 @@ void writeCellData(const std::vector<shadow::LitRegions>& regions, const Contour
     attributes.push_back(complete(mesh->GetCellData(), mesh->GetNumberOfCells()));
   }
   CommonArrays arrays(attributes, vtkDataSetAttributes::COPYTUPLE, output->GetCellData(), count);
-  const auto lit = namedArray<vtkUnsignedCharArray>("Lit", count);
-  const auto turnedAway = namedArray<vtkUnsignedCharArray>("TurnedAway", count);
+  // Unsigned ones would be taken for colours.
+  const auto lit = namedArray<vtkSignedCharArray>("Lit", count);
+  const auto turnedAway = namedArray<vtkSignedCharArray>("TurnedAway", count);
   const auto receivers = namedArray<vtkIntArray>("Receiver", count);
   const auto cells = namedArray<vtkIdTypeArray>("ReceiverCell", count);
   vtkIdType to = 0;
