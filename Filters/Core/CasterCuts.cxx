@@ -22,17 +22,36 @@ Box boxAround(const Corners& corners)
   return box;
 }
 
-std::vector<Corners> allTriangles(const std::vector<ContourReceiver>& meshes)
+Box enlarged(Box box, double by)
 {
-  std::vector<Corners> all;
-  for (const ContourReceiver& mesh : meshes)
+  box.low -= Vec3(by);
+  box.high += Vec3(by);
+  return box;
+}
+
+std::vector<Corners> trianglesNear(const std::vector<ContourReceiver>& casters,
+  const std::vector<ContourReceiver>& receivers, double touch)
+{
+  std::vector<Box> bounds;
+  for (const ContourReceiver& receiver : receivers)
   {
-    for (std::size_t i = 0; i < mesh.mesh->triangles.size(); ++i)
+    bounds.push_back(enlarged(receiver.mesh->bounds(), touch));
+  }
+  std::vector<Corners> near;
+  for (const ContourReceiver& caster : casters)
+  {
+    for (std::size_t i = 0; i < caster.mesh->triangles.size(); ++i)
     {
-      all.push_back(cornersOf(*mesh.mesh, static_cast<Index>(i)));
+      const Corners corners = cornersOf(*caster.mesh, static_cast<Index>(i));
+      const Box box = boxAround(corners);
+      if (std::any_of(
+            bounds.begin(), bounds.end(), [&](const Box& around) { return around.meets(box); }))
+      {
+        near.push_back(corners);
+      }
     }
   }
-  return all;
+  return near;
 }
 
 BoxTree treeOf(const std::vector<Corners>& triangles)
@@ -47,8 +66,9 @@ BoxTree treeOf(const std::vector<Corners>& triangles)
 }
 }
 
-CasterCuts::CasterCuts(const std::vector<ContourReceiver>& casters, double touch)
-  : Triangles(allTriangles(casters))
+CasterCuts::CasterCuts(const std::vector<ContourReceiver>& casters,
+  const std::vector<ContourReceiver>& receivers, double touch)
+  : Triangles(trianglesNear(casters, receivers, touch))
   , Touch(touch)
   , Tree(treeOf(Triangles))
 {

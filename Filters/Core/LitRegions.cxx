@@ -180,7 +180,7 @@ std::vector<LitRegions> findLitRegions(
   {
     return all;
   }
-  const CasterCuts casters(scene.casters, touchShare * casting.frame().size());
+  const CasterCuts casters(scene.casters, scene.receivers, touchShare * casting.frame().size());
   for (std::size_t i = 0; i < scene.receivers.size(); ++i)
   {
     const ReceiverContours contours = casting.contours(static_cast<Index>(i));
