@@ -82,6 +82,9 @@ void CasterCuts::addCuts(
   {
     return;
   }
+  // An edge that is the receiver's own is where a mesh that is both goes on.
+  const auto isCorner = [&](const Vec3& point)
+  { return std::find(receiver.begin(), receiver.end(), point) != receiver.end(); };
   std::array<double, 3> heights;
   std::array<bool, 3> isOn;
   for (unsigned k = 0; k < 3; ++k)
@@ -94,7 +97,7 @@ void CasterCuts::addCuts(
   for (unsigned k = 0; k < 3; ++k)
   {
     const unsigned other = next(k);
-    if (isOn[k] && isOn[other])
+    if (isOn[k] && isOn[other] && !(isCorner(caster[k]) && isCorner(caster[other])))
     {
       cuts.push_back({ triangle, caster[k], caster[other], CasterMeets });
     }
