@@ -13,10 +13,13 @@
  * the mesh of each silhouette, and the silhouette of each caster: the shadow of a caster without one
  * ends at the edges of triangles, wherever their middles are in it.
  *
- * Near accurate and smooth silhouettes, which lie within the shadow of their own mesh, the contour
+ * Near accurate and smooth silhouettes, which do not follow the edges of their mesh, the contour
  * decides: what has nothing between it and the light but what is around such a silhouette
  * (vtkCastShadowContour) is as the side of the contour at its rim says, or else as the nearest part
- * that can be reached without crossing a contour or a caster.
+ * that can be reached without crossing a contour or a caster. Where contours leave gaps, because
+ * another mesh or a fold hides their ends, or because a smooth silhouette pierces the receiver
+ * beside its mesh, parts as wide as the silhouette is off its mesh may be on the wrong side.
+ * Whether a triangle turns away from the light is told by the triangle for all kinds.
  *
  * Output: convex polygons, in the order of the receivers and their triangles and wound as these.
  * Polygons that meet have all points on what they share in common, those of neighbouring triangles
@@ -31,9 +34,10 @@
  *   (double, one value for each receiver, world units squared; their sum is the receiver's area),
  *   `LightPosition` (4).
  *
- * Parts that are narrower than 1e-14 of the largest coordinate are not told apart. What is nearer to
- * a receiver's plane than 1e-9 of the scene casts no shadow there. O(n log n) polygons are to be
- * expected for n segments of contours on a triangle.
+ * Discrete shadows are exact but for rounding and for what is within 1e-9 of the scene: what is
+ * nearer than that to a receiver's plane casts no shadow there, and parts of triangles that are
+ * narrower than 1e-8 of it are as most of what is around them. O(n log n) polygons are to be expected
+ * for n segments of contours on a triangle.
  *
  * Errors are those of vtkCastShadowAlgorithm, and silhouettes without casters. Empty inputs give an
  * empty output.

@@ -319,6 +319,80 @@ TEST(ShadowedReceiver, SunkSphere)
   }
 }
 
+// Around the silhouette of a coarse mesh no ray tells: what is in the mesh is in shadow, and no light
+// gets in from beside it.
+TEST(ShadowedReceiver, SunkCoarseSphere)
+{
+  const LightPosition light{ 0.6, 0.1, 0.8, 0.0 };
+  for (const int kind : AllKinds)
+  {
+    double first = 0.0;
+    for (const int cells : { 1, 20, 50 })
+    {
+      Regions regions({ icosphere(0) }, { ground(0.1, 4.0, cells) }, light, kind);
+      vtkPolyData* output = regions.update();
+      vtkDataArray* lit = output->GetCellData()->GetArray("Lit");
+      int inside = 0;
+      for (vtkIdType cell = 0; cell < output->GetNumberOfPolys(); ++cell)
+      {
+        vtkIdType count;
+        const vtkIdType* ids;
+        output->GetPolys()->GetCellAtId(cell, count, ids);
+        double farthest = 0.0;
+        for (vtkIdType i = 0; i < count; ++i)
+        {
+          double p[3];
+          output->GetPoint(ids[i], p);
+          farthest = std::max(farthest, std::hypot(p[0], p[1]));
+        }
+        // The inscribed sphere of an icosahedron has a radius of 0.79.
+        if (farthest < 0.75)
+        {
+          ++inside;
+          EXPECT_EQ(lit->GetComponent(cell, 0), 0.0) << "kind " << kind << ", cell " << cell;
+        }
+      }
+      EXPECT_TRUE(cells == 1 || inside > 0);
+      first = cells == 1 ? regions.area("ShadowedArea") : first;
+      // A smooth silhouette leaves the receiver beside the mesh: there is a gap between the two,
+      // which of 20 triangles is a few hundredths.
+      const double gap = kind == vtkSmoothLightSilhouette::SMOOTH ? 0.1 : tolerance::Moved * 64.0;
+      EXPECT_NEAR(regions.area("ShadowedArea"), first, gap) << "kind " << kind << ", " << cells;
+    }
+    EXPECT_GT(first, 2.0);
+  }
+}
+
+// A face that the light is on hides nothing, as it is edge-on everywhere.
+TEST(ShadowedReceiver, LightOnFace)
+{
+  const Mesh room = moved(box(6.0, 6.0, 6.0), -1.0, { 0.0, 0.0, 0.0 });
+  Regions regions({ box() }, { room }, { 0.2, 0.3, 1.0, 1.0 });
+  EXPECT_NEAR(regions.area("LitArea"), 144.0 + 4.0 * 12.0 * 5.0, tolerance::SamePoint * 864.0);
+  EXPECT_NEAR(regions.area("ShadowedArea"), 144.0 + 4.0 * 12.0 * 7.0, tolerance::SamePoint * 864.0);
+}
+
+// Of triangles whose corners are in line, but for rounding, any point may seem to be in the shadow.
+TEST(ShadowedReceiver, TrianglesInLine)
+{
+  Random random(8);
+  for (int i = 0; i < 200; ++i)
+  {
+    const auto draw = [&]
+    { return Vec3{ random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(0.5, 2.0) }; };
+    const Vec3 start = draw();
+    // Half of them so short that all of it is rounding.
+    const Vec3 along = (i % 2 == 0 ? 1.0 : 1e-16) * draw();
+    MeshBuilder builder;
+    builder.addPoint(start);
+    builder.addPoint(start + random.uniform(0.2, 0.8) * along);
+    builder.addPoint(start + along);
+    builder.addTriangle(0, 1, 2);
+    Regions regions({ builder.build() }, { ground(0.0, 4.0, 6) }, { 0.3, 0.2, 1.0, 0.0 });
+    EXPECT_LE(regions.area("ShadowedArea"), 1e-12) << i;
+  }
+}
+
 // Open casters shadow on both sides, whichever way they face.
 TEST(ShadowedReceiver, OpenCasters)
 {
