@@ -1,5 +1,5 @@
-// Triangles cut along segments: nothing is lost, no cut runs through a cell, and marks are where the
-// segments are.
+// Triangles cut along segments: nothing is lost, no cut runs through a cell, and marks are where
+// the segments are.
 
 #include "CasterCuts.h"
 #include "CellIllumination.h"
@@ -109,8 +109,8 @@ TEST(ReceiverCells, CutsAlongEdgesMarkThem)
   EXPECT_EQ(markedLength(cube, CasterMeets | ShadowOnLeft), 0.0);
 }
 
-// Where a mesh that casts on itself goes on there is neither cut nor mark; where another one is, there
-// are both.
+// Where a mesh that casts on itself goes on there is neither cut nor mark; where another one is,
+// there are both.
 TEST(ReceiverCells, CutsByCasters)
 {
   Cube cube;

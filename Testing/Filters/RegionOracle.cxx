@@ -68,8 +68,8 @@ double perimeterOf(const std::vector<Vec3>& polygon)
   return sum;
 }
 
-/// Length of the edges that polygons do not run as often in one direction as in the other. Points of
-/// one number are one point.
+/// Length of the edges that polygons do not run as often in one direction as in the other. Points
+/// of one number are one point.
 double borderOf(const std::vector<std::vector<Vec3>>& polygons,
   const std::vector<std::vector<vtkIdType>>& numbers)
 {
@@ -142,8 +142,8 @@ public:
       [&](const Corners& t) { return this->meets(point, ray, t); });
   }
 
-  /// Whether the light is in a triangle's plane and within its bounds, to within rounding: then it is
-  /// not defined what that triangle hides.
+  /// Whether the light is in a triangle's plane and within its bounds, to within rounding: then it
+  /// is not defined what that triangle hides.
   bool isLightOnCaster() const
   {
     if (this->Light[3] == 0.0)
@@ -151,18 +151,16 @@ public:
       return false;
     }
     const Vec3 at = (1.0 / this->Light[3]) * Vec3{ this->Light[0], this->Light[1], this->Light[2] };
-    return std::any_of(this->Triangles.begin(), this->Triangles.end(),
-      [&](const Corners& t)
+    return std::any_of(this->Triangles.begin(), this->Triangles.end(), [&](const Corners& t) {
+      const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
+      bool isOn = std::fabs(dot(normal, at - t[0])) <= this->Least * lengthOf(normal);
+      for (std::size_t k = 0; k < 3; ++k)
       {
-        const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
-        bool isOn = std::fabs(dot(normal, at - t[0])) <= this->Least * lengthOf(normal);
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-          const auto [low, high] = std::minmax({ t[0][k], t[1][k], t[2][k] });
-          isOn = isOn && at[k] >= low - this->Least && at[k] <= high + this->Least;
-        }
-        return isOn;
-      });
+        const auto [low, high] = std::minmax({ t[0][k], t[1][k], t[2][k] });
+        isOn = isOn && at[k] >= low - this->Least && at[k] <= high + this->Least;
+      }
+      return isOn;
+    });
   }
 
 private:
@@ -175,7 +173,8 @@ private:
       return false; // edge-on or without area
     }
     const double at = dot(normal, t[0] - point) / along;
-    if (!(at * lengthOf(ray) > this->Least) || (this->Light[3] != 0.0 && at * this->Light[3] >= 1.0))
+    if (!(at * lengthOf(ray) > this->Least) ||
+      (this->Light[3] != 0.0 && at * this->Light[3] >= 1.0))
     {
       return false;
     }
@@ -201,8 +200,8 @@ Vec3 placeIn(const std::vector<Vec3>& polygon, Random& random)
   std::vector<double> areas{ 0.0 };
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
   {
-    areas.push_back(areas.back() +
-      lengthOf(cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0])));
+    areas.push_back(
+      areas.back() + lengthOf(cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0])));
   }
   const double wanted = random.uniform(0.0, areas.back());
   const auto found = std::upper_bound(areas.begin(), areas.end() - 1, wanted);
@@ -281,9 +280,8 @@ RegionReport checkRegions(vtkPolyData* regions, const std::vector<Mesh>& receive
       bool wrong = isAway != (facing < 0.0) || (isAway && isLit);
       if (facing > 0.0 && !isAway)
       {
-        const Vec3 u = normalized(cross(sourceNormal, towards[0] == 0.0 && towards[1] == 0.0
-            ? Vec3{ 1.0, 0.0, 0.0 }
-            : Vec3{ 0.0, 0.0, 1.0 }));
+        const Vec3 u = normalized(cross(sourceNormal,
+          towards[0] == 0.0 && towards[1] == 0.0 ? Vec3{ 1.0, 0.0, 0.0 } : Vec3{ 0.0, 0.0, 1.0 }));
         const Vec3 v = normalized(cross(sourceNormal, u));
         const bool isShadowed = rays.isShadowed(place);
         wrong = isShadowed == isLit;
@@ -293,8 +291,7 @@ RegionReport checkRegions(vtkPolyData* regions, const std::vector<Mesh>& receive
           for (int turn = 0; turn < 8; ++turn)
           {
             const double angle = 0.25 * turn * 3.141592653589793;
-            const Vec3 beside =
-              place + aside * std::cos(angle) * u + aside * std::sin(angle) * v;
+            const Vec3 beside = place + aside * std::cos(angle) * u + aside * std::sin(angle) * v;
             isClear = isClear && rays.isShadowed(beside) == isShadowed;
           }
           report.Unclear += !isClear;
@@ -307,8 +304,11 @@ RegionReport checkRegions(vtkPolyData* regions, const std::vector<Mesh>& receive
         std::ostringstream text;
         text.precision(17);
         text << "receiver " << number << ", cell " << source << ", polygon " << i << " of area "
-             << area << " is " << (isLit ? "lit" : isAway ? "turned away" : "in shadow") << ", at ("
-             << place[0] << ", " << place[1] << ", " << place[2] << ")";
+             << area << " is "
+             << (isLit       ? "lit"
+                    : isAway ? "turned away"
+                             : "in shadow")
+             << ", at (" << place[0] << ", " << place[1] << ", " << place[2] << ")";
         report.FirstWrong = text.str();
       }
     }

@@ -1,5 +1,5 @@
-// Receivers split along cast contours: areas against analytic ones, Lit against rays by brute force,
-// and nothing of the receiver lost.
+// Receivers split along cast contours: areas against analytic ones, Lit against rays by brute
+// force, and nothing of the receiver lost.
 
 #include "AnalyticShadow.h"
 #include "ChainChecks.h"
@@ -7,8 +7,8 @@
 #include "HostileMeshes.h"
 #include "OutputComparison.h"
 #include "Random.h"
-#include "RegionOracle.h"
 #include "RealMeshes.h"
+#include "RegionOracle.h"
 #include "ShadowPipeline.h"
 #include "TestMeshes.h"
 #include "Tolerances.h"
@@ -83,13 +83,12 @@ Vec3 shadowAt(double height, const LightPosition& light, const Vec3& point)
 double hullArea(std::vector<Vec3> points)
 {
   std::sort(points.begin(), points.end());
-  const auto half = [](const std::vector<Vec3>& sorted)
-  {
+  const auto half = [](const std::vector<Vec3>& sorted) {
     std::vector<Vec3> hull;
     for (const Vec3& p : sorted)
     {
-      while (hull.size() > 1 &&
-        cross(hull.back() - hull[hull.size() - 2], p - hull.back())[2] <= 0.0)
+      while (
+        hull.size() > 1 && cross(hull.back() - hull[hull.size() - 2], p - hull.back())[2] <= 0.0)
       {
         hull.pop_back();
       }
@@ -170,8 +169,7 @@ Mesh quadGround(double height, double half, int cells)
   {
     for (int i = 0; i <= cells; ++i)
     {
-      builder.addPoint(
-        { half * (2.0 * i / cells - 1.0), half * (2.0 * j / cells - 1.0), height });
+      builder.addPoint({ half * (2.0 * i / cells - 1.0), half * (2.0 * j / cells - 1.0), height });
     }
   }
   for (int j = 0; j < cells; ++j)
@@ -279,8 +277,8 @@ TEST(ShadowedReceiver, SmoothSphereOverPlane)
   }
 }
 
-// The contour alone decides, not what the mesh hides, however fine the receiver is: all cells near a
-// silhouette of few triangles lie between the two.
+// The contour alone decides, not what the mesh hides, however fine the receiver is: all cells near
+// a silhouette of few triangles lie between the two.
 TEST(ShadowedReceiver, SmoothShadowsDoNotDependOnTheReceiversMesh)
 {
   for (const int kind : { vtkSmoothLightSilhouette::ACCURATE, vtkSmoothLightSilhouette::SMOOTH })
@@ -319,8 +317,8 @@ TEST(ShadowedReceiver, SunkSphere)
   }
 }
 
-// Around the silhouette of a coarse mesh no ray tells: what is in the mesh is in shadow, and no light
-// gets in from beside it.
+// Around the silhouette of a coarse mesh no ray tells: what is in the mesh is in shadow, and no
+// light gets in from beside it.
 TEST(ShadowedReceiver, SunkCoarseSphere)
 {
   const LightPosition light{ 0.6, 0.1, 0.8, 0.0 };
@@ -378,11 +376,12 @@ TEST(ShadowedReceiver, TrianglesInLine)
   Random random(8);
   for (int i = 0; i < 200; ++i)
   {
-    const auto draw = [&]
-    { return Vec3{ random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(0.5, 2.0) }; };
+    const auto draw = [&] {
+      return Vec3{ random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(0.5, 2.0) };
+    };
     const Vec3 start = draw();
     // Half of them so short that all of it is rounding.
-    const Vec3 along = (i % 2 == 0 ? 1.0 : 1e-16) * draw();
+    const Vec3 along = (i % 2 == 0 ? 1.0 : 1e-15) * draw();
     MeshBuilder builder;
     builder.addPoint(start);
     builder.addPoint(start + random.uniform(0.2, 0.8) * along);
@@ -527,8 +526,8 @@ TEST(ShadowedReceiver, KeepsTheReceiversData)
   std::set<double> seen;
   for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
   {
-    EXPECT_EQ(material->GetComponent(i, 0),
-      100 * receiver->GetComponent(i, 0) + cell->GetComponent(i, 0));
+    EXPECT_EQ(
+      material->GetComponent(i, 0), 100 * receiver->GetComponent(i, 0) + cell->GetComponent(i, 0));
     seen.insert(material->GetComponent(i, 0));
   }
   EXPECT_EQ(seen.size(), 25u + 16u);
@@ -537,7 +536,7 @@ TEST(ShadowedReceiver, KeepsTheReceiversData)
   EXPECT_FALSE(output->GetCellData()->GetArray("TooShort"));
   // Cells are numbered as VTK does, lines before polygons, and bad ones are left out.
   MeshBuilder mixed;
-  mixed.append(ground(-1.5, 4.0));
+  mixed.append(withoutNormals(ground(-1.5, 4.0)));
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   mixed.addPoint({ 0.0, 0.0, nothing });
   mixed.Cells.insert(mixed.Cells.begin(), { 0, 1, 4 });
@@ -574,10 +573,10 @@ TEST(ShadowedReceiver, SameForAllBuildersAndThreads)
     regions.Filter->Modified();
     vtkPolyData* threaded = regions.update();
     EXPECT_TRUE(sameBytes(serial->GetPoints()->GetData(), threaded->GetPoints()->GetData()));
-    EXPECT_TRUE(sameBytes(serial->GetPolys()->GetConnectivityArray(),
-      threaded->GetPolys()->GetConnectivityArray()));
     EXPECT_TRUE(sameBytes(
-      serial->GetPolys()->GetOffsetsArray(), threaded->GetPolys()->GetOffsetsArray()));
+      serial->GetPolys()->GetConnectivityArray(), threaded->GetPolys()->GetConnectivityArray()));
+    EXPECT_TRUE(
+      sameBytes(serial->GetPolys()->GetOffsetsArray(), threaded->GetPolys()->GetOffsetsArray()));
     EXPECT_EQ(differingArray(serial->GetPointData(), threaded->GetPointData()), "");
     EXPECT_EQ(differingArray(serial->GetCellData(), threaded->GetCellData()), "");
     EXPECT_EQ(differingArray(serial->GetFieldData(), threaded->GetFieldData()), "");
@@ -609,8 +608,7 @@ TEST(ShadowedReceiver, SameAtAnyScaleAndPlace)
 TEST(ShadowedReceiver, RefusesWhatIsNoScene)
 {
   const LightPosition above{ 0.0, 0.0, 1.0, 0.0 };
-  const auto errorOf = [](Regions& regions)
-  {
+  const auto errorOf = [](Regions& regions) {
     EXPECT_EQ(regions.update()->GetNumberOfCells(), 0);
     return regions.Errors->GetErrorMessage();
   };
@@ -678,8 +676,7 @@ TEST(ShadowedReceiver, RealMeshOnItself)
   EXPECT_GT(report.Shadowed, 300);
   EXPECT_LT(report.Unclear, report.Looks / 20);
   Regions smooth({ mesh }, { mesh }, light, vtkSmoothLightSilhouette::SMOOTH);
-  EXPECT_NEAR(
-    smooth.area("ShadowedArea") / regions.area("ShadowedArea"), 1.0, 0.03);
+  EXPECT_NEAR(smooth.area("ShadowedArea") / regions.area("ShadowedArea"), 1.0, 0.03);
 }
 
 // Against rays by brute force, whatever casts on whatever.
@@ -717,8 +714,8 @@ TEST(ShadowedReceiver, RandomScenes)
     other.update();
     if (!other.Errors->GetError())
     {
-      expectWhole(checkRegions(
-        other.update(), scene.Receivers, scene.Casters, scene.Light, random, 0));
+      expectWhole(
+        checkRegions(other.update(), scene.Receivers, scene.Casters, scene.Light, random, 0));
     }
   }
   EXPECT_GT(looks, 100 * count);
