@@ -16,7 +16,10 @@ struct HiddenSpans
   /// them.
   double least = 0.0;
 
-  std::size_t begin(std::size_t piece) const { return this->first.empty() ? 0 : this->first[piece]; }
+  std::size_t begin(std::size_t piece) const
+  {
+    return this->first.empty() ? 0 : this->first[piece];
+  }
   std::size_t end(std::size_t piece) const
   {
     return this->first.empty() ? 0 : this->first[piece + 1];

@@ -1,17 +1,17 @@
 /**
  * @class   vtkShadowedReceiver
- * @brief   receivers split along the contours of cast shadows, each part lit or not, and how much is
+ * @brief   receivers split along cast contours, each part lit or in shadow, with areas
  *
  * Inputs and the light are those of vtkCastShadowAlgorithm. Triangles that face the light are cut
  * along the visible contours (vtkCastShadowContour) and where casters pierce or touch them; so what
  * remains is all lit or all in shadow, and a ray from the middle of each part to the light tells.
- * What is inside of a closed caster is in shadow, as is what a caster stands on. Triangles that turn
- * away from the light, and those that are edge-on to it, are not lit.
+ * What is inside of a closed caster is in shadow, as is what a caster stands on. Triangles that
+ * turn away from the light, and those that are edge-on to it, are not lit.
  *
  * Without casters (port 2) nothing is in shadow, as silhouettes alone do not say what is between
  * them and which of them another caster hides: silhouettes without any caster are an error. Connect
- * the mesh of each silhouette, and the silhouette of each caster: the shadow of a caster without one
- * ends at the edges of triangles, wherever their middles are in it.
+ * the mesh of each silhouette, and the silhouette of each caster: the shadow of a caster without
+ * one ends at the edges of triangles, wherever their middles are in it.
  *
  * Near accurate and smooth silhouettes, which do not follow the edges of their mesh, the contour
  * decides: what has nothing between it and the light but what is around such a silhouette
@@ -27,17 +27,17 @@
  * come as triangles. Together the polygons have the area of the receivers.
  * - PointData: the arrays that all receivers have, interpolated (normals then are not of unit
  *   length). Of points with equal coordinates those of the first one.
- * - CellData `Lit` (signed char, 1: the light reaches it), `TurnedAway` (signed char, 1: it faces away
- *   from the light or is edge-on to it), `Receiver` (number of the input on port 1), `ReceiverCell` (id of its cell
- *   there), and the arrays that all receivers have.
+ * - CellData `Lit` (signed char, 1: the light reaches it), `TurnedAway` (signed char, 1: it faces
+ *   away from the light or is edge-on to it), `Receiver` (number of the input on port 1),
+ *   `ReceiverCell` (id of its cell there), and the arrays that all receivers have.
  * - FieldData `LitArea`, `ShadowedArea` (faces the light, but is in shadow), `TurnedAwayArea`
  *   (double, one value for each receiver, world units squared; their sum is the receiver's area),
  *   `LightPosition` (4).
  *
  * Discrete shadows are exact but for rounding and for what is within 1e-9 of the scene: what is
  * nearer than that to a receiver's plane casts no shadow there, and parts of triangles that are
- * narrower than 1e-8 of it are as most of what is around them. O(n log n) polygons are to be expected
- * for n segments of contours on a triangle.
+ * narrower than 1e-8 of it are as most of what is around them. O(n log n) polygons are to be
+ * expected for n segments of contours on a triangle.
  *
  * Errors are those of vtkCastShadowAlgorithm, and silhouettes without casters. Empty inputs give an
  * empty output.
