@@ -37,7 +37,7 @@ sanitized()
 }
 
 filters=(TestSmoothLightSilhouette TestShadowVolumeExtruder TestFiniteVolumes TestSilhouetteSearch
-  TestMeshDeviation TestVolumeNearEnd TestCastShadowContour)
+  TestMeshDeviation TestVolumeNearEnd TestCastShadowContour TestShadowedReceiver)
 slow='OnRealMeshes|OnRandomMeshes|WholeComponentsOnAnyMesh|RealMeshesOverReceivers|ThreeCasters'
 export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
 export SMOOTHSHADOW_TEST_SCENES=100

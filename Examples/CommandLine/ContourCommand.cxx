@@ -1,6 +1,7 @@
 #include "ContourCommand.h"
 
 #include "ContourDrawing.h"
+#include "ContourRegions.h"
 #include "Failure.h"
 #include "LightMoves.h"
 #include "MeshReader.h"
@@ -21,6 +22,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 namespace
@@ -34,6 +36,7 @@ struct Arguments
   std::vector<std::string> Casters;
   std::vector<std::string> Receivers;
   std::string Output;
+  std::string Regions; // none if empty
   Homogeneous Light = { 0.0, 0.0, 1.0, 0.0 };
   SilhouetteOptions Silhouette;
   std::string Builder = "morton";
@@ -61,6 +64,20 @@ OutputFile MakeOutput(const Arguments& arguments)
     throw UsageError(arguments.DrawingOption + ": it counts where the output is an .svg only");
   }
   return OutputFile("--output", arguments.Output, extension);
+}
+
+std::optional<OutputFile> MakeRegions(const Arguments& arguments)
+{
+  if (arguments.Regions.empty())
+  {
+    return std::nullopt;
+  }
+  if (std::filesystem::path(arguments.Regions).lexically_normal() ==
+    std::filesystem::path(arguments.Output).lexically_normal())
+  {
+    throw UsageError("--regions " + arguments.Regions + ": it is the --output, too");
+  }
+  return OutputFile("--regions", arguments.Regions, ".vtp");
 }
 
 // Each file once, although a mesh may cast and receive.
@@ -160,6 +177,7 @@ Json ContourStatistics(vtkPolyData* contours)
 void Run(const Arguments& arguments)
 {
   OutputFile output = MakeOutput(arguments);
+  std::optional<OutputFile> regions = MakeRegions(arguments);
   Progress progress;
   const Meshes meshes(arguments, progress);
   progress.Show("contours");
@@ -203,6 +221,12 @@ void Run(const Arguments& arguments)
   {
     progress.Show("writing " + arguments.Output);
     WritePolyData(contours, output);
+  }
+  if (regions)
+  {
+    progress.Show("writing " + arguments.Regions);
+    WriteRegions(pipeline.Contour, *regions, statistics);
+    regions->Commit();
   }
   output.Commit();
   std::ostringstream line;
@@ -258,6 +282,10 @@ void AddContourCommand(CLI::App& app, std::function<void()>& chosen)
   command.add_option("-o,--output", arguments->Output, "the file to write")
     ->required()
     ->type_name("FILE.vtp|FILE.svg");
+  command
+    .add_option("--regions", arguments->Regions,
+      "write the receivers, too, split along the contours: each part lit or not, and their areas")
+    ->type_name("FILE.vtp");
   AddLightOption(command, arguments->Light);
   AddSilhouetteOptions(command, arguments->Silhouette);
   command

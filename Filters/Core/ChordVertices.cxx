@@ -251,6 +251,9 @@ ChordVertices::ChordVertices(const ContourLoops& loops,
     this->Vertices.insert(this->Vertices.end(), vertices.begin(), vertices.end());
     this->First.push_back(this->Vertices.size());
   }
+  this->All = this->Vertices;
+  std::sort(this->All.begin(), this->All.end());
+  this->All.erase(std::unique(this->All.begin(), this->All.end()), this->All.end());
 }
 
 bool ChordVertices::touches(Index segment, const Triangle& triangle) const
@@ -260,5 +263,11 @@ bool ChordVertices::touches(Index segment, const Triangle& triangle) const
     begin + static_cast<std::ptrdiff_t>(this->First[segment + 1]),
     [&](Index vertex)
     { return std::find(triangle.begin(), triangle.end(), vertex) != triangle.end(); });
+}
+
+bool ChordVertices::touchesAny(const Triangle& triangle) const
+{
+  return std::any_of(triangle.begin(), triangle.end(),
+    [&](Index vertex) { return std::binary_search(this->All.begin(), this->All.end(), vertex); });
 }
 }

@@ -26,9 +26,12 @@ public:
   /// Whether a triangle has a vertex around a segment. Vertices have numbers over all casters, one
   /// caster's after those of the one before.
   bool touches(Index segment, const Triangle& triangle) const;
+  /// Around any segment.
+  bool touchesAny(const Triangle& triangle) const;
 
 private:
   std::vector<std::size_t> First; ///< where those of each segment begin, and the end
   std::vector<Index> Vertices;
+  std::vector<Index> All; ///< around any segment, ascending
 };
 }

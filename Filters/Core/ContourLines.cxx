@@ -94,18 +94,15 @@ void addStretches(
   Index piece, const HiddenSpans& hidden, std::vector<Stretch>& stretches)
 {
   double at = 0.0;
-  if (!hidden.first.empty())
+  for (std::size_t i = hidden.begin(piece); i < hidden.end(piece); ++i)
   {
-    for (std::size_t i = hidden.first[piece]; i < hidden.first[piece + 1]; ++i)
+    const auto& [from, to] = hidden.spans[i];
+    if (from > at)
     {
-      const auto& [from, to] = hidden.spans[i];
-      if (from > at)
-      {
-        stretches.push_back({ piece, at, from, true });
-      }
-      stretches.push_back({ piece, from, to, false });
-      at = to;
+      stretches.push_back({ piece, at, from, true });
     }
+    stretches.push_back({ piece, from, to, false });
+    at = to;
   }
   if (at < 1.0)
   {

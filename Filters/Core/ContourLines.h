@@ -15,6 +15,15 @@ struct HiddenSpans
   /// Parts of lines that are hidden or visible for less than this length count as what is around
   /// them.
   double least = 0.0;
+
+  std::size_t begin(std::size_t piece) const
+  {
+    return this->first.empty() ? 0 : this->first[piece];
+  }
+  std::size_t end(std::size_t piece) const
+  {
+    return this->first.empty() ? 0 : this->first[piece + 1];
+  }
 };
 
 /// A piece as a straight line.

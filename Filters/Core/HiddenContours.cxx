@@ -1,5 +1,7 @@
 #include "HiddenContours.h"
 
+#include "ExactSum.h"
+
 namespace shadow
 {
 namespace
@@ -58,8 +60,15 @@ struct ContourBlockers::MovedPiece
   Index segment;
 };
 
+bool ContourBlockers::Blocker::isRounding(const Vec3& view) const
+{
+  return !(glm::dot(this->edges[0] + this->edges[1] + this->edges[2], view) >
+    determinantError * glm::dot(this->permanent, glm::abs(view)));
+}
+
 ContourBlockers::ContourBlockers(const std::vector<ContourReceiver>& casters,
-  const ContourLoops& loops, const Light& light, const LightFrame& frame, const RangeLoop& loop)
+  const ContourLoops& loops, const Light& light, const LightFrame& frame, BlockerSides sides,
+  const RangeLoop& loop)
   : Frame(frame)
   , Around(loops, casters, light, loop)
   , Charts(frame.hasOneChart())
@@ -69,8 +78,12 @@ ContourBlockers::ContourBlockers(const std::vector<ContourReceiver>& casters,
   Index firstVertex = 0;
   for (const ContourReceiver& caster : casters)
   {
-    this->addCaster(caster, firstVertex, loop);
+    this->addCaster(caster, firstVertex, sides, loop);
     firstVertex += static_cast<Index>(caster.mesh->points.size());
+  }
+  if (sides == BlockerSides::All)
+  {
+    this->addGaps(loops);
   }
   for (std::size_t chart = 0; chart < this->Charts.count(); ++chart)
   {
@@ -79,41 +92,91 @@ ContourBlockers::ContourBlockers(const std::vector<ContourReceiver>& casters,
 }
 
 void ContourBlockers::addCaster(
-  const ContourReceiver& caster, Index firstVertex, const RangeLoop& loop)
+  const ContourReceiver& caster, Index firstVertex, BlockerSides sides, const RangeLoop& loop)
 {
   const ReceiverView view(caster, this->Frame, loop);
   const TriangleMesh& mesh = *caster.mesh;
-  const bool isClosed = caster.edges->regular == caster.edges->edges.size();
-  const std::size_t count = isClosed ? view.lit().size() : mesh.triangles.size();
+  const bool areLitEnough =
+    sides == BlockerSides::Needed && caster.edges->regular == caster.edges->edges.size();
+  const std::size_t count = areLitEnough ? view.lit().size() : mesh.triangles.size();
   for (std::size_t i = 0; i < count; ++i)
   {
-    const Index triangle = isClosed ? view.lit()[i] : static_cast<Index>(i);
-    Triangle t = mesh.triangles[triangle];
-    if (!view.isLit(triangle))
+    const Index triangle = areLitEnough ? view.lit()[i] : static_cast<Index>(i);
+    const Triangle& t = mesh.triangles[triangle];
+    this->addBlocker({ view.place(t[0]), view.place(t[1]), view.place(t[2]) },
+      { firstVertex + t[0], firstVertex + t[1], firstVertex + t[2] },
+      [&](std::size_t chart) { return view.box(chart, triangle); });
+  }
+}
+
+/// A smooth contour may run outside of what the mesh hides.
+void ContourBlockers::addGaps(const ContourLoops& loops)
+{
+  for (std::size_t loop = 0; loop < loops.count(); ++loop)
+  {
+    const std::size_t begin = loops.first[loop];
+    const std::size_t end = loops.first[loop + 1];
+    for (std::size_t i = begin; i < end && !loops.ofEdges[loop]; ++i)
     {
-      std::swap(t[1], t[2]);
-    }
-    const std::array<Vec3, 3> views{ view.view(t[0]), view.view(t[1]), view.view(t[2]) };
-    const Vec3 place = view.place(t[0]);
-    Blocker blocker;
-    for (unsigned k = 0; k < 3; ++k)
-    {
-      blocker.edges[k] = glm::cross(views[k], views[next(k)]);
-    }
-    // Places are counted from the light away, so this is turned to what is behind.
-    blocker.normal = unitOrZero(glm::cross(view.place(t[1]) - place, view.place(t[2]) - place));
-    blocker.offset = glm::dot(blocker.normal, place);
-    blocker.vertices = { firstVertex + t[0], firstVertex + t[1], firstVertex + t[2] };
-    const Index number = static_cast<Index>(this->Blockers.size());
-    this->Blockers.push_back(blocker);
-    for (std::size_t chart = 0; chart < this->Charts.count(); ++chart)
-    {
-      const Box2 box = view.box(chart, triangle);
-      if (!isEmpty(box))
+      if (i + 1 == end && !loops.closed[loop])
       {
-        this->Boxes[chart].push_back(box);
-        this->Items[chart].push_back(number);
+        continue;
       }
+      const std::size_t to = i + 1 == end ? begin : i + 1;
+      const std::array<Vec3, 4> places{ this->Frame.place(loops.points[i]),
+        this->Frame.place(loops.points[to]), this->Frame.place(loops.meshPoints[to]),
+        this->Frame.place(loops.meshPoints[i]) };
+      for (const std::size_t corner : { 1, 2 })
+      {
+        const std::array<Vec3, 3> corners{ places[0], places[corner], places[corner + 1] };
+        std::array<Vec3, 3> views;
+        std::transform(corners.begin(), corners.end(), views.begin(),
+          [&](const Vec3& place) { return this->Frame.view(place); });
+        this->addBlocker(corners, { None, None, None },
+          [&](std::size_t chart) { return this->boxOf(chart, views.data(), views.size()); });
+      }
+    }
+  }
+}
+
+template <class BoxIn>
+void ContourBlockers::addBlocker(
+  std::array<Vec3, 3> places, const Triangle& vertices, const BoxIn& boxIn)
+{
+  std::array<Vec3, 3> views;
+  std::transform(places.begin(), places.end(), views.begin(),
+    [&](const Vec3& place) { return this->Frame.view(place); });
+  const int turn = signOf(determinant(views[0], views[1], views[2]));
+  if (turn == 0)
+  {
+    return; // edge-on, or the light is on it
+  }
+  if (turn < 0)
+  {
+    std::swap(places[1], places[2]);
+    std::swap(views[1], views[2]);
+  }
+  Blocker blocker;
+  blocker.permanent = Vec3(0.0);
+  for (unsigned k = 0; k < 3; ++k)
+  {
+    const WallPlane plane(views[k], views[next(k)]);
+    blocker.edges[k] = plane.normal;
+    blocker.permanent += plane.permanent;
+  }
+  // Places are counted from the light away, so this is turned to what is behind.
+  blocker.normal = unitOrZero(glm::cross(places[1] - places[0], places[2] - places[0]));
+  blocker.offset = glm::dot(blocker.normal, places[0]);
+  blocker.vertices = vertices;
+  const Index number = static_cast<Index>(this->Blockers.size());
+  this->Blockers.push_back(blocker);
+  for (std::size_t chart = 0; chart < this->Charts.count(); ++chart)
+  {
+    const Box2 box = boxIn(chart);
+    if (!isEmpty(box))
+    {
+      this->Boxes[chart].push_back(box);
+      this->Items[chart].push_back(number);
     }
   }
 }
@@ -144,11 +207,11 @@ ContourBlockers::MovedPiece ContourBlockers::moved(
   return piece;
 }
 
-void ContourBlockers::addSpan(const MovedPiece& piece, const Blocker& blocker,
-  std::vector<std::array<double, 2>>& spans) const
+void ContourBlockers::addSpan(
+  const MovedPiece& piece, const Blocker& blocker, std::vector<std::array<double, 2>>& spans) const
 {
   double from = 0.0;
-  double to = 1.0;
+  double to = blocker.vertices[0] != None ? 1.0 : 0.0;
   for (unsigned k = 0; k < 3 && from < to; ++k)
   {
     keepPositive(glm::dot(blocker.edges[k], piece.views[0]),
@@ -161,10 +224,25 @@ void ContourBlockers::addSpan(const MovedPiece& piece, const Blocker& blocker,
   const double error = movedShare * this->Frame.size();
   keepPositive(glm::dot(blocker.normal, piece.places[0]) - blocker.offset - error,
     glm::dot(blocker.normal, piece.places[1]) - blocker.offset - error, from, to);
-  if (from < to && !this->Around.touches(piece.segment, blocker.vertices))
+  if (from < to && !blocker.isRounding(piece.views[0]) &&
+    !this->Around.touches(piece.segment, blocker.vertices))
   {
     spans.push_back({ from, to });
   }
+}
+
+Box2 ContourBlockers::boxOf(std::size_t chart, const Vec3* views, std::size_t count) const
+{
+  if (!this->Frame.hasOneChart())
+  {
+    return LightCharts::boxIn(chart, views, count);
+  }
+  Box2 box;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    box.add(LightCharts::boxOf(views[i]));
+  }
+  return box;
 }
 
 void ContourBlockers::findSpans(
@@ -173,28 +251,17 @@ void ContourBlockers::findSpans(
   TreeVisits visits;
   for (std::size_t chart = 0; chart < this->Charts.count(); ++chart)
   {
-    Box2 box;
-    if (this->Frame.hasOneChart())
-    {
-      box = LightCharts::boxOf(piece.views[0]);
-      box.add(LightCharts::boxOf(piece.views[1]));
-    }
-    else
-    {
-      box = LightCharts::boxIn(chart, piece.views.data(), 2);
-    }
+    const Box2 box = this->boxOf(chart, piece.views.data(), piece.views.size());
     if (isEmpty(box))
     {
       continue;
     }
     bool isAllHidden = false;
-    this->Trees[chart].search(box, visits,
-      [&](Index item)
-      {
-        this->addSpan(piece, this->Blockers[this->Items[chart][item]], spans);
-        isAllHidden = !spans.empty() && spans.back()[0] == 0.0 && spans.back()[1] == 1.0;
-        return !isAllHidden;
-      });
+    this->Trees[chart].search(box, visits, [&](Index item) {
+      this->addSpan(piece, this->Blockers[this->Items[chart][item]], spans);
+      isAllHidden = !spans.empty() && spans.back()[0] == 0.0 && spans.back()[1] == 1.0;
+      return !isAllHidden;
+    });
     if (isAllHidden)
     {
       break;
@@ -207,15 +274,13 @@ HiddenSpans ContourBlockers::hiddenSpans(const std::vector<ContourPiece>& pieces
   const std::vector<PieceLine>& straight, const ContourWalls& walls, const RangeLoop& loop) const
 {
   std::vector<std::vector<std::array<double, 2>>> found(pieces.size());
-  loop(pieces.size(), heavyGrain,
-    [&](std::size_t begin, std::size_t end)
+  loop(pieces.size(), heavyGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
     {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const Index segment = pieces[i].segment;
-        this->findSpans(this->moved(straight[i], walls.wall(segment), segment), found[i]);
-      }
-    });
+      const Index segment = pieces[i].segment;
+      this->findSpans(this->moved(straight[i], walls.wall(segment), segment), found[i]);
+    }
+  });
   HiddenSpans hidden;
   hidden.least = leastMoves * movedShare * this->Frame.size();
   hidden.first.push_back(0);
@@ -225,5 +290,38 @@ HiddenSpans ContourBlockers::hiddenSpans(const std::vector<ContourPiece>& pieces
     hidden.first.push_back(hidden.spans.size());
   }
   return hidden;
+}
+
+Obstruction ContourBlockers::obstructionOf(const Vec3& point) const
+{
+  const Vec3 place = this->Frame.place(point);
+  const Vec3 view = this->Frame.view(place);
+  const double error = movedShare * this->Frame.size();
+  Obstruction found = Obstruction::None;
+  TreeVisits visits;
+  for (std::size_t chart = 0; chart < this->Charts.count() && found != Obstruction::Other; ++chart)
+  {
+    const Box2 box = this->boxOf(chart, &view, 1);
+    if (isEmpty(box))
+    {
+      continue;
+    }
+    this->Trees[chart].search(box, visits, [&](Index item) {
+      const Blocker& blocker = this->Blockers[this->Items[chart][item]];
+      // Cross products of the same two views in turn are each other's negative bit for bit, so a
+      // view on a common edge is within one of two triangles at least.
+      const bool isWithin = std::all_of(blocker.edges.begin(), blocker.edges.end(),
+        [&](const Vec3& edge) { return glm::dot(edge, view) >= 0.0; });
+      if (isWithin && !blocker.isRounding(view) &&
+        glm::dot(blocker.normal, place) - blocker.offset > error)
+      {
+        found = blocker.vertices[0] == None || this->Around.touchesAny(blocker.vertices)
+          ? Obstruction::Around
+          : Obstruction::Other;
+      }
+      return found != Obstruction::Other;
+    });
+  }
+  return found;
 }
 }

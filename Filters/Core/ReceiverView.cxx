@@ -27,10 +27,15 @@ ReceiverView::ReceiverView(
     receiver.mesh->triangles.size(), loop, [&](Index triangle) { return this->isLit(triangle); });
 }
 
-bool ReceiverView::isLit(Index triangle) const
+double ReceiverView::facing(Index triangle) const
 {
   const Triangle& t = this->mesh().triangles[triangle];
-  return shadow::isLit(determinant(this->Views[t[0]], this->Views[t[1]], this->Views[t[2]]));
+  return determinant(this->Views[t[0]], this->Views[t[1]], this->Views[t[2]]);
+}
+
+bool ReceiverView::isLit(Index triangle) const
+{
+  return shadow::isLit(this->facing(triangle));
 }
 
 Box2 ReceiverView::box(std::size_t chart, Index triangle) const

@@ -30,11 +30,15 @@ public:
   /// Triangles that face the light, edge-on ones included.
   const std::vector<Index>& lit() const { return this->Lit; }
   bool isLit(Index triangle) const;
+  /// Whether light falls on it where nothing is in between: it faces the light and is not edge-on.
+  bool isReceiving(Index triangle) const { return this->facing(triangle) > 0.0; }
 
   /// The box of a triangle in a chart.
   Box2 box(std::size_t chart, Index triangle) const;
 
 private:
+  double facing(Index triangle) const;
+
   ContourReceiver Receiver;
   const LightFrame& Frame;
   std::vector<Vec3> Views;

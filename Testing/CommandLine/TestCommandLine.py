@@ -569,6 +569,25 @@ class Contour(ToolTest):
         receivers = Meshes.read_polydata(self.path("out.vtp")).GetCellData().GetArray("Receiver")
         self.assertEqual({receivers.GetValue(i) for i in range(statistics["lines"])}, {0, 1})
 
+    def test_regions(self):
+        for kind in ("discrete", "smooth"):
+            statistics = self.contour("out.svg", "--regions", "regions.vtp", "--kind", kind,
+                                      receivers=("ground.obj", "box.obj"))
+            self.assertEqual(statistics["regions"], "regions.vtp")
+            ground, box = statistics["receivers"]
+            # The hexagon around SHADOW and what the box stands on.
+            self.assertAlmostEqual(ground["shadowedArea"], 3, delta=1e-6)
+            self.assertAlmostEqual(ground["litArea"], 97, delta=1e-6)
+            self.assertEqual((ground["turnedAwayArea"], box["shadowedArea"]), (0, 0))
+            self.assertAlmostEqual(box["litArea"] + box["turnedAwayArea"], 10)
+            regions = Meshes.read_polydata(self.path("regions.vtp"))
+            self.assertEqual(regions.GetNumberOfPolys(), statistics["regionPolygons"])
+            lit = regions.GetCellData().GetArray("Lit")
+            self.assertEqual({lit.GetValue(i) for i in range(regions.GetNumberOfPolys())}, {0, 1})
+            area = regions.GetFieldData().GetArray("ShadowedArea")
+            self.assertEqual(area.GetValue(0), ground["shadowedArea"])
+        self.assertNotIn("regions", self.contour("out.svg"))
+
     def test_light_on_a_caster(self):
         self.fail_in("ground.obj", "lies on a silhouette", "contour", "--caster", "ground.obj",
                      "--receiver", "box.obj", "-o", "out.svg", "--light", "5,0,0.5")
@@ -715,6 +734,8 @@ class WrongUsage(ToolTest):
             (("render", "mesh.obj", "-o", "out.jpg"), "--output out.jpg"),
             (("silhouette", "mesh.obj", "-o", "out.png", "--light", "1,2,3"), "--output out.png"),
             (("silhouette", "mesh.obj", "-o", "out.vtp"), "--light"),
+            ((*self.CONTOUR, "--regions", "out.svg"), "--regions out.svg"),
+            ((*self.CONTOUR, "--regions", "./out.vtp"), "--regions ./out.vtp: it is the --output"),
             ((*self.RENDER, "--light", "nan,0,0"), "--light nan,0,0: 'nan' is not finite"),
             ((*self.RENDER, "--light", "-inf,0,0"), "--light -inf,0,0: '-inf' is not finite"),
             ((*self.RENDER, "--light", "1e999,0,0"), "1e999"),

@@ -6,8 +6,8 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 
 from smoothshadow.vtkFiltersShadow import (vtkCastShadowContour, vtkContourStrokes,
-                                           vtkShadowMeshCheck, vtkShadowVolumeExtruder,
-                                           vtkSmoothLightSilhouette)
+                                           vtkShadowedReceiver, vtkShadowMeshCheck,
+                                           vtkShadowVolumeExtruder, vtkSmoothLightSilhouette)
 from smoothshadow.vtkRenderingOffscreen import vtkOffscreenWindows
 from smoothshadow.vtkRenderingShadow import vtkStencilShadowPass
 
@@ -34,7 +34,7 @@ class Modules(unittest.TestCase):
         shadows = vtkStencilShadowPass()
         self.assertEqual(shadows.GetKind(), vtkStencilShadowPass.AUTOMATIC)
         for thing in (silhouette, shadows, vtkShadowVolumeExtruder(), vtkShadowMeshCheck(),
-                      vtkCastShadowContour(), vtkContourStrokes()):
+                      vtkCastShadowContour(), vtkShadowedReceiver(), vtkContourStrokes()):
             self.assertIn(thing.GetClassName(), str(thing))
 
     def test_silhouette_of_a_sphere(self):
@@ -93,6 +93,26 @@ class Modules(unittest.TestCase):
             x, y, z = curves.GetPoint(i)
             self.assertAlmostEqual(math.hypot(x, y), 3 / math.sqrt(15), delta=1e-2)
             self.assertAlmostEqual(z, -1)
+
+    def test_shadowed_area(self):
+        # Of a disc of radius 3 / sqrt(15), as above; a parallelogram's other part is lit.
+        sphere = self.sphere()
+        silhouette = self.silhouette(sphere)
+        silhouette.SetLightPosition(0, 0, 2, 1)
+        plane = vtkPlaneSource()
+        plane.SetOrigin(-4, -4, -1)
+        plane.SetPoint1(4, -4, -1)
+        plane.SetPoint2(-4, 4, -1)
+        receiver = vtkShadowedReceiver()
+        receiver.SetSilhouetteConnection(silhouette.GetOutputPort())
+        receiver.SetReceiverConnection(plane.GetOutputPort())
+        receiver.SetCasterConnection(sphere.GetOutputPort())
+        receiver.Update()
+        areas = receiver.GetOutput().GetFieldData()
+        self.assertAlmostEqual(areas.GetArray("ShadowedArea").GetValue(0), 0.6 * math.pi, delta=0.02)
+        self.assertAlmostEqual(areas.GetArray("ShadowedArea").GetValue(0)
+                               + areas.GetArray("LitArea").GetValue(0), 64)
+        self.assertEqual(areas.GetArray("TurnedAwayArea").GetValue(0), 0)
 
     def test_check_of_an_open_sphere(self):
         sphere = self.sphere()

@@ -215,7 +215,7 @@ shadow::CastContours onGrid(const shadow::CastContours& contours, double spacing
 }
 
 void writeContours(const shadow::CastContours& contours, const ContourInput& input,
-  const shadow::ContourReport& report, const double light[4], vtkPolyData* output)
+  const shadow::ContourReport& report, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetData(vectorArray("Points", contours.points));
@@ -232,8 +232,7 @@ void writeContours(const shadow::CastContours& contours, const ContourInput& inp
   addCellArray(output, "Loop", contours, [&](const Line& line) { return input.cell[line.loop]; });
   addCellArray(output, "Visible", contours, [](const Line& line) { return line.visible ? 1 : 0; });
   addCellArray(output, "Closed", contours, [](const Line& line) { return line.closed ? 1 : 0; });
-  addField<vtkDoubleArray>(
-    output, "LightPosition", { light[0], light[1], light[2], light[3] });
+  addLightPosition(output, input.light);
   addCount(output, "LooseEnds", report.loose);
   addCount(output, "NodesVisited", report.visits.nodes);
   addCount(output, "LeavesTested", report.visits.leaves);

@@ -1,17 +1,22 @@
-// Cast contours as vtkPolyData: silhouettes read, lines written.
+// Scenes of cast shadows and their contours as vtkPolyData: silhouettes read, lines written.
 #ifndef ContourData_h
 #define ContourData_h
 
 #include "CastContour.h"
+#include "ReceiverCache.h"
 
 class vtkPolyData;
 
-// Silhouettes of several inputs as loops, with where they come from.
+// All inputs as a scene, with where its parts come from.
 struct ContourInput
 {
-  shadow::ContourScene scene; // its loops
+  shadow::ContourScene scene;
+  double light[4];        // as it was given
   std::vector<int> input; // of each loop: number of the silhouette
   std::vector<int> cell;  // and of its line there
+  std::vector<vtkPolyData*> meshes; // the receivers
+  std::vector<std::shared_ptr<const PreparedReceiver>> receivers; // which the scene refers to
+  std::vector<std::shared_ptr<const PreparedReceiver>> casters;
 };
 
 // Adds the lines of a silhouette. Lines with points that do not exist or are not finite are left
@@ -33,6 +38,6 @@ shadow::CastContours onGrid(const shadow::CastContours& contours, double spacing
 
 // All arrays that vtkCastShadowContour documents.
 void writeContours(const shadow::CastContours& contours, const ContourInput& input,
-  const shadow::ContourReport& report, const double light[4], vtkPolyData* output);
+  const shadow::ContourReport& report, vtkPolyData* output);
 
 #endif

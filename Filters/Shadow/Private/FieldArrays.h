@@ -2,6 +2,7 @@
 #ifndef FieldArrays_h
 #define FieldArrays_h
 
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -23,6 +24,12 @@ void addField(vtkPolyData* output, const char* name, std::initializer_list<Value
     array->SetTypedComponent(0, component++, value);
   }
   output->GetFieldData()->AddArray(array);
+}
+
+inline void addLightPosition(vtkPolyData* output, const double light[4])
+{
+  addField<vtkDoubleArray>(
+    output, "LightPosition", { light[0], light[1], light[2], light[3] });
 }
 
 inline void addCount(vtkPolyData* output, const char* name, std::size_t count)

@@ -20,7 +20,11 @@
 
 namespace
 {
-using PointTriangle = std::array<vtkIdType, 3>;
+struct PointTriangle
+{
+  std::array<vtkIdType, 3> corners;
+  vtkIdType cell; // of the input
+};
 
 std::vector<shadow::Vec3> readVectors(vtkDataArray* array)
 {
@@ -46,6 +50,8 @@ public:
 
   std::vector<PointTriangle> read()
   {
+    // Cells are numbered by kind, in this order.
+    this->Cell = this->Input->GetNumberOfVerts() + this->Input->GetNumberOfLines();
     this->forEachCell(this->Input->GetPolys(),
       [this](vtkIdType count, const vtkIdType* ids) { this->addPolygon(count, ids); });
     this->forEachCell(this->Input->GetStrips(),
@@ -71,6 +77,7 @@ private:
       {
         visit(count, ids);
       }
+      ++this->Cell;
     }
   }
 
@@ -106,11 +113,16 @@ private:
                                  : shadow::Occurrences().place;
   }
 
+  void addTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
+  {
+    this->Triangles.push_back({ { a, b, c }, this->Cell });
+  }
+
   void addPolygon(vtkIdType count, const vtkIdType* ids)
   {
     if (count == 3)
     {
-      this->Triangles.push_back({ ids[0], ids[1], ids[2] });
+      this->addTriangle(ids[0], ids[1], ids[2]);
       return;
     }
     this->Polygon->PointIds->SetNumberOfIds(count);
@@ -124,8 +136,8 @@ private:
     {
       for (vtkIdType i = 0; i + 2 < this->Corners->GetNumberOfIds(); i += 3)
       {
-        this->Triangles.push_back({ ids[this->Corners->GetId(i)],
-          ids[this->Corners->GetId(i + 1)], ids[this->Corners->GetId(i + 2)] });
+        this->addTriangle(ids[this->Corners->GetId(i)], ids[this->Corners->GetId(i + 1)],
+          ids[this->Corners->GetId(i + 2)]);
       }
       return;
     }
@@ -134,7 +146,7 @@ private:
     this->Defects.crossedPolygons.add(this->placeOf(count, ids));
     for (vtkIdType i = 2; i < count; ++i)
     {
-      this->Triangles.push_back({ ids[0], ids[i - 1], ids[i] });
+      this->addTriangle(ids[0], ids[i - 1], ids[i]);
     }
   }
 
@@ -143,7 +155,7 @@ private:
     for (vtkIdType i = 2; i < count; ++i)
     {
       const bool odd = i % 2 == 1;
-      this->Triangles.push_back({ ids[odd ? i - 1 : i - 2], ids[odd ? i - 2 : i - 1], ids[i] });
+      this->addTriangle(ids[odd ? i - 1 : i - 2], ids[odd ? i - 2 : i - 1], ids[i]);
     }
   }
 
@@ -151,6 +163,7 @@ private:
   const std::vector<shadow::Vec3>& Points;
   ReadingDefects& Defects;
   std::vector<PointTriangle> Triangles;
+  vtkIdType Cell = 0; // the one that is read
   vtkNew<vtkPolygon> Polygon;
   vtkNew<vtkIdList> Corners;
 };
@@ -173,7 +186,7 @@ std::vector<vtkIdType> usedPoints(
   std::vector<vtkIdType> used;
   for (const PointTriangle& t : triangles)
   {
-    for (const vtkIdType id : t)
+    for (const vtkIdType id : t.corners)
     {
       shadow::Index& p = place[static_cast<std::size_t>(id)];
       if (p == shadow::None)
@@ -242,7 +255,7 @@ shadow::Triangle mapped(const PointTriangle& t, const std::vector<shadow::Index>
   shadow::Triangle result;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    result[k] = target[place[static_cast<std::size_t>(t[k])]];
+    result[k] = target[place[static_cast<std::size_t>(t.corners[k])]];
   }
   return result;
 }
@@ -295,6 +308,7 @@ BridgedMesh readMesh(vtkPolyData* input, bool mergePoints)
   }
   countRepeated(points, vertices, normals, result.defects.repeatedPoints);
   mesh.triangles.reserve(triangles.size());
+  result.cells.reserve(triangles.size());
   mesh.cornerNormals.reserve(hasNormals ? triangles.size() : 0);
   for (const PointTriangle& t : triangles)
   {
@@ -305,6 +319,7 @@ BridgedMesh readMesh(vtkPolyData* input, bool mergePoints)
       continue;
     }
     mesh.triangles.push_back(corners);
+    result.cells.push_back(t.cell);
     if (hasNormals)
     {
       mesh.cornerNormals.push_back(mapped(t, place, normals.target));

@@ -5,6 +5,8 @@
 #include "Geometry.h"
 #include "Occurrences.h"
 
+#include "vtkType.h"
+
 #include <string>
 
 class vtkPolyData;
@@ -24,6 +26,7 @@ struct BridgedMesh
 {
   shadow::TriangleMesh mesh;
   ReadingDefects defects;
+  std::vector<vtkIdType> cells; // of each triangle: the input's cell that it is of
 };
 
 // Polygons are triangulated by ear cutting, strips are taken apart. Points that no triangle uses

@@ -21,7 +21,9 @@ std::vector<std::shared_ptr<const PreparedReceiver>> ReceiverCache::get(
     if (!receiver)
     {
       auto prepared = std::make_shared<PreparedReceiver>();
-      prepared->mesh = readMesh(mesh, true).mesh;
+      BridgedMesh read = readMesh(mesh, true);
+      prepared->mesh = std::move(read.mesh);
+      prepared->cells = std::move(read.cells);
       prepared->edges = shadow::buildEdgeTable(prepared->mesh);
       receiver = prepared;
     }

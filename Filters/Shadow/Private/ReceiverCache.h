@@ -15,6 +15,7 @@ struct PreparedReceiver
 {
   shadow::TriangleMesh mesh;
   shadow::EdgeTable edges;
+  std::vector<vtkIdType> cells; // of each triangle: the input's cell that it is of
 };
 
 class ReceiverCache

@@ -192,8 +192,7 @@ void writeSilhouette(const PreparedCaster& prepared, const shadow::SilhouetteCha
   output->GetPointData()->AddArray(nodes);
   writeLoops(prepared.caster, chain, loops, lines, output);
 
-  const std::array<double, 4>& l = settings.lightPosition;
-  addField<vtkDoubleArray>(output, "LightPosition", { l[0], l[1], l[2], l[3] });
+  addLightPosition(output, settings.lightPosition.data());
   addField<vtkDoubleArray>(output, "MaximumDeviation", { lines.deviation.world });
   if (tolerance.receiver)
   {
