@@ -9,10 +9,11 @@
  * is between the outline of the triangles and the smooth one (see Mattausch et al. 2012, Figure 7).
  *
  * These are the gap triangles of vtkShadowVolumeExtruder that face the eye. Mesh and gaps together
- * cover all that the silhouette encloses: there is no crack between them, and the depth of the outer
- * edge is that of the smooth surface. Where the silhouette runs inside of the mesh's outline, as
- * around the hole of a torus, the mesh is in the way, and its outline stays. A silhouette that is not
- * smooth lies on the mesh and has no gaps.
+ * cover all that its rims enclose: there is no crack between them, and the depth of the outer edge is
+ * that of the smooth surface. Where the silhouette runs inside of the mesh's outline, as around the
+ * hole of a torus, the mesh is in the way, and its outline stays; so it does in the few places where
+ * a coarse mesh shows a contour that the smooth surface, concave along the line of sight, would hide.
+ * A silhouette that is not smooth lies on the mesh and has no gaps.
  *
  * Output: triangles, counter-clockwise as seen from the eye, double points.
  * - PointData `Normals` (3, double, unit; zero where none is known): on the mesh as shading

@@ -136,6 +136,10 @@ constexpr double LeakPercent = 1.0;
 /// Pixels: how far from the true shadow's edge a rasterised mask may differ from the oracle.
 constexpr int MaskPixels = 1;
 
+/// Pixels: how far a rasteriser moves a triangle's corners, on to its grid of a 256th, with room
+/// for single precision.
+constexpr double RasterSnap = 1.0 / 64.0;
+
 /// Cosine between a triangle's normal and the direction to the light up to which it is edge-on: a
 /// few roundings of coordinates over the height of the flattest triangles that are seen. Whether
 /// something blocks a ray that runs within the triangle's own plane is not defined, and shading has
