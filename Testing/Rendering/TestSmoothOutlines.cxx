@@ -369,5 +369,5 @@ TEST(SmoothOutlines, AreShadedLikeTheSurface)
     }
   }
   EXPECT_GT(inGap, 1000);
-  EXPECT_LT(worst, 0.1);
+  EXPECT_LT(worst, tolerance::GapShade);
 }
