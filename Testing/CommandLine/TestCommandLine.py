@@ -573,6 +573,51 @@ class Contour(ToolTest):
         self.fail_in("ground.obj", "lies on a silhouette", "contour", "--caster", "ground.obj",
                      "--receiver", "box.obj", "-o", "out.svg", "--light", "5,0,0.5")
 
+    def test_the_caster_at_fault_is_named(self):
+        # In the plane of its own silhouette there is no light.
+        for order in (("box.obj", "ground.obj"), ("ground.obj", "box.obj")):
+            message = self.fail_with(1, "contour", "--caster", *order, "--receiver", "box.obj",
+                                     "-o", "out.svg", "--light", "5,0,0.5")
+            self.assertRegex(message, r"lies on a silhouette.*\), in ground\.obj, check it and "
+                             r"--light 5,0,0\.5,1\n")
+
+    def test_the_mesh_that_is_too_large_is_named(self):
+        Meshes.write_torus(self.path("large.vtp"), radius=1e300, tube=4e299)
+        for caster, receiver in (("box.obj", "large.vtp"), ("large.vtp", "box.obj")):
+            self.fail_in("large.vtp", "too large for a view", "contour", "--caster", caster,
+                         "--receiver", receiver, "-o", "out.svg", *self.LIGHT)
+
+    def test_a_sheet_without_size_is_refused(self):
+        # A sheet of some 5 units, and one of 2e-5.
+        for scale, at, angle, wanted in (("1e308", "0,0,0", "30", "smaller"),
+                                         ("5e-324", "0,8.999,0", "1", "larger")):
+            message = self.fail_with(2, "contour", "--caster", "box.obj", "--receiver",
+                                     "ground.obj", "-o", "out.svg", *self.LIGHT, "--eye", "0,9,0",
+                                     "--at", at, "--angle", angle, "--scale", scale)
+            self.assertIn(f"--scale {scale}: ", message)
+            self.assertIn(f"a {wanted} scale", message)
+
+    def test_what_is_behind_the_eye_is_cut_off(self):
+        # Looking along z, x is to the left: the shadow's sides from (-1, 1) to (-1, 2) and from (0, 2)
+        # to (1, 1) in x and z begin behind the eye and end before it.
+        _, drawing = self.draw("--kind", "discrete", "--eye", "-0.5,0.25,1.5", "--at",
+                               "-0.5,0.25,2.5", "--angle", "90")
+        near = 1e-3
+        points = [point for path in drawing.layers["contours"] for piece in path
+                  for point in piece]
+        self.assertGreater(len(points), 2)
+        # On the ground, and so below the eye by a quarter over the depth.
+        depths = [0.25 / y for _, y in points]
+        self.assertAlmostEqual(max(depths), 0.5, 6)
+        # Cut at the near plane to all digits that are written.
+        for depth in depths:
+            self.assertGreater(depth, near * (1 - 1e-8))
+        ends = [(x, y) for (x, y), depth in zip(points, depths) if depth < near * (1 + 1e-7)]
+        self.assertEqual(len(ends), 2)
+        for (x, y), wanted in zip(sorted(ends), (-1, 0.5)):
+            self.assertAlmostEqual(y, 0.25 / near, 4)
+            self.assertAlmostEqual(x * near, wanted, 2)
+
     def test_repeats_exactly_and_without_dots(self):
         texts = []
         for _ in range(2):

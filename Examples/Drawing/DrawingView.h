@@ -4,8 +4,8 @@
 #ifndef DrawingView_h
 #define DrawingView_h
 
+#include "Camera.h"
 #include "LineOfSight.h"
-#include "Scene.h"
 #include "SvgDrawing.h"
 
 class DrawingView
@@ -28,12 +28,10 @@ public:
   /// Where a point before the eye is in that plane, as it is seen.
   Point2 Project(const Vector3& point) const;
 
-  /// Whether nothing is between the eye and a point, which may lie on a blocker itself.
-  bool IsSeen(const Vector3& point) const;
-
   /// The parts of a line that are seen. `tests` are points beside those of the line at which
-  /// visibility is looked at, or empty. Looked at are places at most a 500th of the sheet's height
-  /// apart; where it changes in between is then halved down to a 2,000,000th.
+  /// visibility is looked at, or empty. In perspective what is nearer to the eye than a 1000th of the
+  /// way to the point looked at, along the gaze, is cut off. Looked at are places at most a 500th of
+  /// the sheet's height apart; where it changes in between is then halved down to a 2,000,000th.
   /// Pieces shorter than a 1000th are left out.
   DrawnLine Draw(const Polyline3& line, const Polyline3& tests = {}) const;
 
@@ -42,7 +40,17 @@ public:
   std::vector<DrawnLine> DrawAll(vtkPolyData* lines, double outwards = 0.0) const;
 
 private:
-  bool IsBefore(const Vector3& point) const;
+  // A line and the places at which to look whether it is seen, as many.
+  struct TestedLine
+  {
+    Polyline3 Points;
+    Polyline3 Tests;
+  };
+
+  // How far a point is beyond the near plane.
+  double Beyond(const Vector3& point) const;
+  std::vector<TestedLine> BeyondNearPlane(const TestedLine& line) const;
+  void DrawPart(const TestedLine& line, DrawnLine& pieces) const;
 
   Vector3 Position;
   Vector3 Forward; // right, up: unit, at right angles

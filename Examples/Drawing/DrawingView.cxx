@@ -1,10 +1,5 @@
 #include "DrawingView.h"
 
-#include "Vectors.h"
-
-#include <vtkCellArray.h>
-#include <vtkPointData.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -58,10 +53,48 @@ Homogeneous DrawingView::Eye() const
                         : Homogeneous{ p[0], p[1], p[2], 1.0 };
 }
 
-bool DrawingView::IsBefore(const Vector3& point) const
+double DrawingView::Beyond(const Vector3& point) const
 {
-  return this->Parallel ||
-    Dot(this->Forward, Along(point, -1.0, this->Position)) > NearPlane * this->Distance;
+  return Dot(this->Forward, Along(point, -1.0, this->Position)) - NearPlane * this->Distance;
+}
+
+std::vector<DrawingView::TestedLine> DrawingView::BeyondNearPlane(const TestedLine& line) const
+{
+  if (this->Parallel)
+  {
+    return { line };
+  }
+  std::vector<TestedLine> parts;
+  bool open = false;
+  const auto add = [&](const Vector3& point, const Vector3& test) {
+    if (!open)
+    {
+      parts.emplace_back();
+      open = true;
+    }
+    parts.back().Points.push_back(point);
+    parts.back().Tests.push_back(test);
+  };
+  for (std::size_t i = 0; i < line.Points.size(); ++i)
+  {
+    const double here = this->Beyond(line.Points[i]);
+    const double before = i > 0 ? this->Beyond(line.Points[i - 1]) : here;
+    if ((here > 0.0) != (before > 0.0))
+    {
+      const double share = before / (before - here);
+      add(Mix(line.Points[i - 1], line.Points[i], share),
+        Mix(line.Tests[i - 1], line.Tests[i], share));
+    }
+    if (here > 0.0)
+    {
+      add(line.Points[i], line.Tests[i]);
+    }
+    else
+    {
+      open = false;
+    }
+  }
+  return parts;
 }
 
 Point2 DrawingView::Project(const Vector3& point) const
@@ -71,30 +104,28 @@ Point2 DrawingView::Project(const Vector3& point) const
   return { scale * Dot(this->Right, ray), scale * Dot(this->Up, ray) };
 }
 
-bool DrawingView::IsSeen(const Vector3& point) const
-{
-  return this->IsBefore(point) && this->Sight.IsFree(point, this->Eye());
-}
-
 DrawnLine DrawingView::Draw(const Polyline3& line, const Polyline3& tests) const
 {
-  const Polyline3& looked = tests.empty() ? line : tests;
+  DrawnLine pieces;
+  for (const TestedLine& part : this->BeyondNearPlane({ line, tests.empty() ? line : tests }))
+  {
+    this->DrawPart(part, pieces);
+  }
+  return pieces;
+}
+
+void DrawingView::DrawPart(const TestedLine& line, DrawnLine& pieces) const
+{
   const auto steps = [&](std::size_t i) {
-    if (!this->IsBefore(line[i]) || !this->IsBefore(line[i + 1]))
-    {
-      return MostSteps;
-    }
-    const double length = LengthOf({ this->Project(line[i]), this->Project(line[i + 1]) });
+    const double length =
+      LengthOf({ this->Project(line.Points[i]), this->Project(line.Points[i + 1]) });
     return static_cast<int>(std::clamp(
       std::ceil(length * StepsOnSheet / this->SheetHeight), 1.0, static_cast<double>(MostSteps)));
   };
-  DrawnLine pieces;
-  for (const Polyline3& part : PartsOf(
-         line,
-         [&](std::size_t i, double share) {
-           return this->IsSeen(Mix(looked[i], looked[i + 1], share));
-         },
-         steps))
+  const auto isSeen = [&](std::size_t i, double share) {
+    return this->Sight.IsFree(Mix(line.Tests[i], line.Tests[i + 1], share), this->Eye());
+  };
+  for (const Polyline3& part : PartsOf(line.Points, isSeen, steps))
   {
     std::vector<Point2> piece;
     for (const Vector3& point : part)
@@ -107,33 +138,22 @@ DrawnLine DrawingView::Draw(const Polyline3& line, const Polyline3& tests) const
       pieces.push_back(piece);
     }
   }
-  return pieces;
 }
 
 std::vector<DrawnLine> DrawingView::DrawAll(vtkPolyData* lines, double outwards) const
 {
   vtkDataArray* normals = outwards > 0.0 ? lines->GetPointData()->GetArray("Normals") : nullptr;
   std::vector<DrawnLine> drawn;
-  for (vtkIdType cell = 0; cell < lines->GetNumberOfLines(); ++cell)
-  {
-    vtkIdType count;
-    const vtkIdType* ids;
-    lines->GetLines()->GetCellAtId(cell, count, ids);
-    Polyline3 line;
+  ForEachLine(lines, [&](vtkIdType count, const vtkIdType* ids) {
+    const Polyline3 line = PointsOf(lines, count, ids);
     Polyline3 tests;
-    for (vtkIdType i = 0; i < count; ++i)
+    for (vtkIdType i = 0; normals && i < count; ++i)
     {
-      Vector3 point;
-      lines->GetPoint(ids[i], point.data());
-      line.push_back(point);
-      if (normals)
-      {
-        Vector3 normal;
-        normals->GetTuple(ids[i], normal.data());
-        tests.push_back(Along(point, outwards, normal));
-      }
+      Vector3 normal;
+      normals->GetTuple(ids[i], normal.data());
+      tests.push_back(Along(line[static_cast<std::size_t>(i)], outwards, normal));
     }
     drawn.push_back(this->Draw(line, tests));
-  }
+  });
   return drawn;
 }
