@@ -31,11 +31,13 @@ void ForEachLine(vtkPolyData* data, const Visit& visit)
 
 Polyline3 PointsOf(vtkPolyData* data, vtkIdType count, const vtkIdType* ids);
 std::vector<Polyline3> LinesOf(vtkPolyData* data);
+
+/// Points are double; lines share none.
 vtkSmartPointer<vtkPolyData> DataOf(const std::vector<Polyline3>& lines);
 
 double LengthOf(const Polyline3& line);
 
-/// A copy with the lines for which keep(line number) holds, and all points.
+/// The lines for which keep(line number) holds, without data of their own, and all points.
 template <class Keep>
 vtkSmartPointer<vtkPolyData> LinesThat(vtkPolyData* data, const Keep& keep)
 {
