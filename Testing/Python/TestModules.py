@@ -7,7 +7,7 @@ from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 
 from smoothshadow.vtkFiltersShadow import (vtkCastShadowContour, vtkContourStrokes,
                                            vtkShadowMeshCheck, vtkShadowVolumeExtruder,
-                                           vtkSmoothLightSilhouette)
+                                           vtkSilhouetteGap, vtkSmoothLightSilhouette)
 from smoothshadow.vtkRenderingOffscreen import vtkOffscreenWindows
 from smoothshadow.vtkRenderingShadow import vtkStencilShadowPass
 
@@ -34,7 +34,7 @@ class Modules(unittest.TestCase):
         shadows = vtkStencilShadowPass()
         self.assertEqual(shadows.GetKind(), vtkStencilShadowPass.AUTOMATIC)
         for thing in (silhouette, shadows, vtkShadowVolumeExtruder(), vtkShadowMeshCheck(),
-                      vtkCastShadowContour(), vtkContourStrokes()):
+                      vtkCastShadowContour(), vtkContourStrokes(), vtkSilhouetteGap()):
             self.assertIn(thing.GetClassName(), str(thing))
 
     def test_silhouette_of_a_sphere(self):
