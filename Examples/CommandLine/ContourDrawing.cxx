@@ -21,8 +21,7 @@ namespace
 vtkSmartPointer<vtkPolyData> LinesWith(vtkPolyData* lines, const char* array, double value)
 {
   vtkDataArray* values = lines->GetCellData()->GetArray(array);
-  return LinesThat(
-    lines, [&](vtkIdType line) { return values->GetComponent(line, 0) == value; });
+  return LinesThat(lines, [&](vtkIdType line) { return values->GetComponent(line, 0) == value; });
 }
 
 // Whose coordinates are the largest.

@@ -29,10 +29,10 @@ public:
   Point2 Project(const Vector3& point) const;
 
   /// The parts of a line that are seen. `tests` are points beside those of the line at which
-  /// visibility is looked at, or empty. In perspective what is nearer to the eye than a 1000th of the
-  /// way to the point looked at, along the gaze, is cut off. Looked at are places at most a 500th of
-  /// the sheet's height apart; where it changes in between is then halved down to a 2,000,000th.
-  /// Pieces shorter than a 1000th are left out.
+  /// visibility is looked at, or empty. In perspective what is nearer to the eye than a 1000th of
+  /// the way to the point looked at, along the gaze, is cut off. Looked at are places at most a
+  /// 500th of the sheet's height apart; where it changes in between is then halved down to a
+  /// 2,000,000th. Pieces shorter than a 1000th are left out.
   DrawnLine Draw(const Polyline3& line, const Polyline3& tests = {}) const;
 
   /// All lines of the data; if it has them, with the points moved by `outwards` along `Normals` for

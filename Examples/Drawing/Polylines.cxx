@@ -13,9 +13,8 @@ Polyline3 PointsOf(vtkPolyData* data, vtkIdType count, const vtkIdType* ids)
 std::vector<Polyline3> LinesOf(vtkPolyData* data)
 {
   std::vector<Polyline3> lines;
-  ForEachLine(data, [&](vtkIdType count, const vtkIdType* ids) {
-    lines.push_back(PointsOf(data, count, ids));
-  });
+  ForEachLine(data,
+    [&](vtkIdType count, const vtkIdType* ids) { lines.push_back(PointsOf(data, count, ids)); });
   return lines;
 }
 

@@ -4,8 +4,8 @@ namespace shadow
 {
 namespace
 {
-/// Of a closed part that is inside out: its normals may point inwards. Where no crossing tells, they
-/// are taken as they are.
+/// Of a closed part that is inside out: its normals may point inwards. Where no crossing tells,
+/// they are taken as they are.
 bool pointsInwards(const NearEnd& end, const SilhouetteInput& silhouette, std::size_t loop)
 {
   const std::size_t vertices = end.caster.mesh().points.size();
@@ -74,8 +74,7 @@ private:
   bool facesLight(const Triangle& t) const
   {
     const Vec3 origin = this->End.place(t[0]);
-    const Vec3 normal =
-      glm::cross(this->End.place(t[1]) - origin, this->End.place(t[2]) - origin);
+    const Vec3 normal = glm::cross(this->End.place(t[1]) - origin, this->End.place(t[2]) - origin);
     return glm::dot(normal, this->End.chain.light.toward(origin)) > 0.0;
   }
 

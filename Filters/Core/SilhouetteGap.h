@@ -13,10 +13,10 @@ struct SilhouetteGap
   std::vector<Triangle> triangles;
 };
 
-/// The near end's gaps that face the light. Cap and gaps have the rims as their boundary: where these
-/// wind around a ray to the light at least once, one of them is met from its front. So the mesh and
-/// these triangles cover all that the rims enclose as seen from the light. Gaps that face away lie
-/// where the silhouette runs inside of the mesh's outline.
+/// The near end's gaps that face the light. Cap and gaps have the rims as their boundary: where
+/// these wind around a ray to the light at least once, one of them is met from its front. So the
+/// mesh and these triangles cover all that the rims enclose as seen from the light. Gaps that face
+/// away lie where the silhouette runs inside of the mesh's outline.
 ///
 /// `normals` are those of the silhouette's points. Costs in proportion to the silhouette.
 SilhouetteGap makeSilhouetteGap(

@@ -42,8 +42,8 @@ int vtkSilhouetteGap::RequestData(
     return 0;
   }
   shadow::Caster& caster = this->Cache->get(input, settings.caster).caster;
-  const auto chain = caster.silhouette(
-    settings.light, settings.kind, {}, this->Cache->lastTracked(), smpRangeLoop);
+  const auto chain =
+    caster.silhouette(settings.light, settings.kind, {}, this->Cache->lastTracked(), smpRangeLoop);
   shadow::SilhouetteInput silhouette;
   std::vector<shadow::Vec3> normals;
   if (matchSilhouette(given, settings, caster, *chain, silhouette) == shadow::Match::None ||
@@ -54,8 +54,8 @@ int vtkSilhouetteGap::RequestData(
   }
   const shadow::NearEnd nearEnd =
     shadow::makeNearEnd(caster, *chain, silhouette, shadow::Caps::None);
-  writeGap(shadow::makeSilhouetteGap(nearEnd, silhouette, normals),
-    vtkPolyData::GetData(outputVector));
+  writeGap(
+    shadow::makeSilhouetteGap(nearEnd, silhouette, normals), vtkPolyData::GetData(outputVector));
   return 1;
 }
 

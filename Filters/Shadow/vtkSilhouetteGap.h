@@ -2,24 +2,24 @@
  * @class   vtkSilhouetteGap
  * @brief   what is seen between a mesh and its smooth silhouette, to be drawn with the mesh
  *
- * A coarse mesh shows the corners of its edges in its outline, although its shading and, with smooth
- * silhouettes, its shadow are those of the smooth surface. Port 0 takes the mesh, port 1 its
+ * A coarse mesh shows the corners of its edges in its outline, although its shading and, with
+ * smooth silhouettes, its shadow are those of the smooth surface. Port 0 takes the mesh, port 1 its
  * silhouette from vtkSmoothLightSilhouette of kind SMOOTH whose light is the eye (for a parallel
  * projection the direction towards it). Drawn beside the mesh, in its colour, the output fills what
  * is between the outline of the triangles and the smooth one (see Mattausch et al. 2012, Figure 7).
  *
  * These are the gap triangles of vtkShadowVolumeExtruder that face the eye. Mesh and gaps together
- * cover all that its rims enclose: there is no crack between them, and the depth of the outer edge is
- * that of the smooth surface. Where the silhouette runs inside of the mesh's outline, as around the
- * hole of a torus, the mesh is in the way, and its outline stays; so it does in the few places where
- * a coarse mesh shows a contour that the smooth surface, concave along the line of sight, would hide.
- * A silhouette that is not smooth lies on the mesh and has no gaps.
+ * cover all that its rims enclose: there is no crack between them, and the depth of the outer edge
+ * is that of the smooth surface. Where the silhouette runs inside of the mesh's outline, as around
+ * the hole of a torus, the mesh is in the way, and its outline stays; so it does in the few places
+ * where a coarse mesh shows a contour that the smooth surface, concave along the line of sight,
+ * would hide. A silhouette that is not smooth lies on the mesh and has no gaps.
  *
  * Output: triangles, counter-clockwise as seen from the eye, double points.
  * - PointData `Normals` (3, double, unit; zero where none is known): on the mesh as shading
- *   interpolates the mesh's, on the silhouette its own. They point outwards. So the output is shaded
- *   as the smooth surface is near its outline; where a very coarse mesh ends with normals that still
- *   turn to the eye, its last facets are shaded otherwise, which shows as a faint rim.
+ *   interpolates the mesh's, on the silhouette its own. They point outwards. So the output is
+ * shaded as the smooth surface is near its outline; where a very coarse mesh ends with normals that
+ * still turn to the eye, its last facets are shaded otherwise, which shows as a faint rim.
  *
  * The mesh casts: for renderers with shadows the output only receives. When the eye moves the
  * silhouette has to be made anew. Costs in proportion to the silhouette, once the mesh is prepared.

@@ -4,6 +4,7 @@
 
 #include "ChainChecks.h"
 #include "HostileMeshes.h"
+#include "RandomMeshes.h"
 #include "ShadowPipeline.h"
 #include "TestMeshes.h"
 #include "Tolerances.h"
@@ -20,17 +21,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace
 {
+using shadowtest::cross;
+using shadowtest::dot;
 using shadowtest::LightPosition;
 using shadowtest::Mesh;
 using shadowtest::ShadowPipeline;
 using shadowtest::Vec3;
-using shadowtest::cross;
-using shadowtest::dot;
 using shadowtest::operator-;
 
 const LightPosition Eyes[] = { { 0.3, 0.2, 1.0, 0.0 }, { 1.1, -2.7, 3.1, 1.0 },
@@ -126,34 +130,74 @@ std::map<Vec3, Vec3> silhouetteNormals(vtkPolyData* silhouette)
   }
   return normals;
 }
+
+/// Whether rounding may decide which side of a triangle the eye sees, as it is edge-on or has two
+/// corners at one place; or where an eye on a vertex is, which counts as just above it.
+bool isUnclear(const Triangle& t, const LightPosition& eye, double size)
+{
+  const auto length = [](const Vec3& v) { return std::sqrt(dot(v, v)); };
+  const double first = length(t[1] - t[0]);
+  const double second = length(t[2] - t[0]);
+  const double away = length(towardsEye(eye, t[0]));
+  const double slack = first * second *
+      (shadowtest::tolerance::TooClose * away +
+        std::abs(eye[3]) * shadowtest::tolerance::LightLift * size) +
+    shadowtest::tolerance::SamePoint * size * (first + second) * away;
+  return std::abs(facing(t, eye)) <= slack;
+}
+
+/// Returns how many triangles these are.
+std::size_t expectWhatFacesTheEye(vtkPolyData* mesh, const LightPosition& eye)
+{
+  GapPipeline pipeline(mesh, eye);
+  std::multiset<Triangle> expected;
+  for (const Triangle& t : trianglesOf(pipeline.volume()))
+  {
+    if (facing(t, eye) > 0.0)
+    {
+      expected.insert(t);
+    }
+  }
+  const std::multiset<Triangle> actual = trianglesOf(pipeline.gap());
+  std::vector<Triangle> differing;
+  std::set_symmetric_difference(
+    actual.begin(), actual.end(), expected.begin(), expected.end(), std::back_inserter(differing));
+  for (const Triangle& t : differing)
+  {
+    EXPECT_TRUE(isUnclear(t, eye, mesh->GetLength()));
+  }
+  EXPECT_EQ(shadowtest::nonFiniteNumbers(pipeline.gap()), 0);
+  return expected.size();
+}
 }
 
 TEST(SilhouetteGap, IsWhatOfTheExtrudersFacesTheEye)
 {
-  for (const Mesh& mesh : { shadowtest::sphere(7, 12), shadowtest::torus(16, 8, 3),
-         shadowtest::starShaped(2, 5), shadowtest::cylinder(9, 2),
-         shadowtest::opened(shadowtest::icosphere(2), 0.2, 4) })
+  for (const Mesh& mesh :
+    { shadowtest::sphere(7, 12), shadowtest::torus(16, 8, 3), shadowtest::starShaped(2, 5),
+      shadowtest::cylinder(9, 2), shadowtest::opened(shadowtest::icosphere(2), 0.2, 4) })
   {
     for (const LightPosition& eye : Eyes)
     {
-      GapPipeline pipeline(mesh, eye);
-      std::multiset<Triangle> expected;
-      for (const Triangle& t : trianglesOf(pipeline.volume()))
-      {
-        if (facing(t, eye) > 0.0)
-        {
-          expected.insert(t);
-        }
-      }
-      EXPECT_GT(expected.size(), 20u);
-      EXPECT_EQ(trianglesOf(pipeline.gap()), expected);
-      EXPECT_EQ(shadowtest::nonFiniteNumbers(pipeline.gap()), 0);
+      EXPECT_GT(expectWhatFacesTheEye(mesh, eye), 20u);
     }
   }
 }
 
-// All around a sphere the smooth outline is outside of the mesh's. Its edge is the silhouette itself;
-// the other one is on the mesh, at the silhouette's own places there.
+TEST(SilhouetteGap, OfRandomMeshes)
+{
+  std::size_t triangles = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed)
+  {
+    const shadowtest::RandomMesh mesh = shadowtest::randomMesh(seed);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", " + mesh.Kind);
+    triangles += expectWhatFacesTheEye(mesh.Surface, mesh.Light);
+  }
+  EXPECT_GT(triangles, 3000u);
+}
+
+// All around a sphere the smooth outline is outside of the mesh's. Its edge is the silhouette
+// itself; the other one is on the mesh, at the silhouette's own places there.
 TEST(SilhouetteGap, JoinsTheMeshToTheSilhouette)
 {
   for (const std::uint64_t jitter : { 0, 3 })

@@ -270,8 +270,8 @@ TEST(SmoothOutlines, OfACoarseSphereAreACircle)
       const double distance = std::sqrt(dot(eye, eye));
       // Half of the picture shows 1.6 in parallel projection, the tangent of 15 degrees else.
       const double tangent = std::tan(std::acos(-1.0) / 12.0);
-      const double radius =
-        0.5 * Size * (parallel ? 1.0 / 1.6 : 1.0 / (std::sqrt(distance * distance - 1.0) * tangent));
+      const double radius = 0.5 * Size *
+        (parallel ? 1.0 / 1.6 : 1.0 / (std::sqrt(distance * distance - 1.0) * tangent));
       long wrong = 0;
       long wrongWithoutGap = 0;
       for (int y = 0; y < Size; ++y)

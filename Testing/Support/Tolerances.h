@@ -168,9 +168,8 @@ constexpr double DepthMargin = 1e-5;
 /// normals and positions that shaders have in float.
 constexpr double Shade = 2.0;
 
-/// Share of a light's brightness: how a gap of facets that turn by 30 degrees may be shaded against
-/// the sphere itself, its normals being interpolated. Found was 0.056; with the mesh's flat normals it
-/// is some 0.25.
+/// Share of a light's brightness: how far from the sphere's the shade of a gap may be where facets
+/// turn by 30 degrees, as its normals are interpolated. Found was 0.056.
 constexpr double GapShade = 0.08;
 
 /// Steps of 255: a colour that was shaded by the same formula, but rounded in another buffer or

@@ -27,7 +27,8 @@ struct Layer
   PolyData Lines;
 };
 
-/// Hatching, contours of cast shadows, creases and outlines; later ones are drawn over earlier ones.
+/// Hatching, contours of cast shadows, creases and outlines; later ones are drawn over earlier
+/// ones.
 std::vector<Layer> MakeLayers(const Model& model);
 
 #endif

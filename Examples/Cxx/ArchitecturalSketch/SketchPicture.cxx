@@ -90,8 +90,8 @@ vtkNew<vtkActor> GapActor(vtkPolyData* mesh)
 }
 }
 
-bool WritePicture(const Model& model, const std::vector<Layer>& layers, bool smoothOutlines,
-  const char* file)
+bool WritePicture(
+  const Model& model, const std::vector<Layer>& layers, bool smoothOutlines, const char* file)
 {
   const auto window = vtkSmartPointer<vtkRenderWindow>::Take(vtkOffscreenWindows::NewWindow("egl"));
   if (!window)
