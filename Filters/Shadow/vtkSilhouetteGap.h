@@ -17,9 +17,9 @@
  *
  * Output: triangles, counter-clockwise as seen from the eye, double points.
  * - PointData `Normals` (3, double, unit; zero where none is known): on the mesh as shading
- *   interpolates the mesh's, on the silhouette its own. They point outwards. So the output is
- * shaded as the smooth surface is near its outline; where a very coarse mesh ends with normals that
- * still turn to the eye, its last facets are shaded otherwise, which shows as a faint rim.
+ *   interpolates the mesh's, on the silhouette its own. They point outwards, about at right angles
+ *   to the line of sight; as a coarse mesh ends with normals that still turn to the eye, the output
+ *   shows as a faint rim, above all under a light from the eye.
  *
  * The mesh casts: for renderers with shadows the output only receives. When the eye moves the
  * silhouette has to be made anew. Costs in proportion to the silhouette, once the mesh is prepared.
