@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace
 {
 // In distances of the point looked at: what is nearer to the eye is not drawn.
 constexpr double NearPlane = 1e-3;
+// In widths and heights of the sheet, around its middle: nor is what is farther away.
+constexpr double DrawnSheets = 3.0;
 constexpr double StepsOnSheet = 500.0;
 // In heights of the sheet: shorter pieces would be dots, as lines are wider.
 constexpr double ShortestPiece = 1e-3;
-constexpr int MostSteps = 10000; // a segment that comes near to the eye is seen very long
+constexpr int MostSteps = 10000; // on sheets that are much wider than high
 
 Vector3 Mix(const Vector3& a, const Vector3& b, double share)
 {
@@ -43,6 +46,7 @@ DrawingView::DrawingView(const Camera& camera, bool parallel, const std::array<i
   const double degree = std::acos(-1.0) / 180.0;
   this->SheetHeight = 2.0 * this->Distance * std::tan(0.5 * camera.Angle * degree);
   this->SheetWidth = this->SheetHeight * size[0] / size[1];
+  this->MakeFrame();
 }
 
 Homogeneous DrawingView::Eye() const
@@ -53,17 +57,33 @@ Homogeneous DrawingView::Eye() const
                         : Homogeneous{ p[0], p[1], p[2], 1.0 };
 }
 
-double DrawingView::Beyond(const Vector3& point) const
+void DrawingView::MakeFrame()
 {
-  return Dot(this->Forward, Along(point, -1.0, this->Position)) - NearPlane * this->Distance;
+  const double width = 0.5 * DrawnSheets * this->SheetWidth;
+  const double height = 0.5 * DrawnSheets * this->SheetHeight;
+  for (const auto& [axis, reach] :
+    { std::make_pair(this->Right, width), std::make_pair(this->Up, height) })
+  {
+    for (const double side : { -1.0, 1.0 })
+    {
+      const Vector3 inwards = { side * axis[0], side * axis[1], side * axis[2] };
+      this->Frame.push_back(this->Parallel
+          ? HalfSpace{ inwards, -reach }
+          : HalfSpace{ Along(inwards, reach / this->Distance, this->Forward), 0.0 });
+    }
+  }
+  if (!this->Parallel)
+  {
+    this->Frame.push_back({ this->Forward, NearPlane * this->Distance });
+  }
 }
 
-std::vector<DrawingView::TestedLine> DrawingView::BeyondNearPlane(const TestedLine& line) const
+std::vector<DrawingView::TestedLine> DrawingView::PartsIn(
+  const HalfSpace& space, const TestedLine& line) const
 {
-  if (this->Parallel)
-  {
-    return { line };
-  }
+  const auto depth = [&](const Vector3& point) {
+    return Dot(space.Normal, Along(point, -1.0, this->Position)) - space.Least;
+  };
   std::vector<TestedLine> parts;
   bool open = false;
   const auto add = [&](const Vector3& point, const Vector3& test) {
@@ -77,8 +97,8 @@ std::vector<DrawingView::TestedLine> DrawingView::BeyondNearPlane(const TestedLi
   };
   for (std::size_t i = 0; i < line.Points.size(); ++i)
   {
-    const double here = this->Beyond(line.Points[i]);
-    const double before = i > 0 ? this->Beyond(line.Points[i - 1]) : here;
+    const double here = depth(line.Points[i]);
+    const double before = i > 0 ? depth(line.Points[i - 1]) : here;
     if ((here > 0.0) != (before > 0.0))
     {
       const double share = before / (before - here);
@@ -106,8 +126,19 @@ Point2 DrawingView::Project(const Vector3& point) const
 
 DrawnLine DrawingView::Draw(const Polyline3& line, const Polyline3& tests) const
 {
+  std::vector<TestedLine> parts = { { line, tests.empty() ? line : tests } };
+  for (const HalfSpace& space : this->Frame)
+  {
+    std::vector<TestedLine> kept;
+    for (const TestedLine& part : parts)
+    {
+      const std::vector<TestedLine> in = this->PartsIn(space, part);
+      kept.insert(kept.end(), in.begin(), in.end());
+    }
+    parts = std::move(kept);
+  }
   DrawnLine pieces;
-  for (const TestedLine& part : this->BeyondNearPlane({ line, tests.empty() ? line : tests }))
+  for (const TestedLine& part : parts)
   {
     this->DrawPart(part, pieces);
   }

@@ -29,10 +29,11 @@ public:
   Point2 Project(const Vector3& point) const;
 
   /// The parts of a line that are seen. `tests` are points beside those of the line at which
-  /// visibility is looked at, or empty. In perspective what is nearer to the eye than a 1000th of
-  /// the way to the point looked at, along the gaze, is cut off. Looked at are places at most a
-  /// 500th of the sheet's height apart; where it changes in between is then halved down to a
-  /// 2,000,000th. Pieces shorter than a 1000th are left out.
+  /// visibility is looked at, or empty. What is farther outside of the sheet than the sheet is wide
+  /// or high is cut off, and in perspective what is nearer to the eye than a 1000th of the way to
+  /// the point looked at, along the gaze. Looked at are places at most a 500th of the sheet's
+  /// height apart; where it changes in between is then halved down to a 2,000,000th. Pieces shorter
+  /// than a 1000th are left out.
   DrawnLine Draw(const Polyline3& line, const Polyline3& tests = {}) const;
 
   /// All lines of the data; if it has them, with the points moved by `outwards` along `Normals` for
@@ -47,9 +48,15 @@ private:
     Polyline3 Tests;
   };
 
-  // How far a point is beyond the near plane.
-  double Beyond(const Vector3& point) const;
-  std::vector<TestedLine> BeyondNearPlane(const TestedLine& line) const;
+  // Of points p for which Normal . (p - Position) is more than Least.
+  struct HalfSpace
+  {
+    Vector3 Normal;
+    double Least;
+  };
+
+  void MakeFrame();
+  std::vector<TestedLine> PartsIn(const HalfSpace& space, const TestedLine& line) const;
   void DrawPart(const TestedLine& line, DrawnLine& pieces) const;
 
   Vector3 Position;
@@ -60,6 +67,7 @@ private:
   bool Parallel;
   double SheetWidth;
   double SheetHeight;
+  std::vector<HalfSpace> Frame; // what is drawn is in all of them
   LineOfSight Sight;
 };
 

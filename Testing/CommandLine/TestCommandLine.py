@@ -597,26 +597,33 @@ class Contour(ToolTest):
             self.assertIn(f"--scale {scale}: ", message)
             self.assertIn(f"a {wanted} scale", message)
 
-    def test_what_is_behind_the_eye_is_cut_off(self):
-        # Looking along z, x is to the left: the shadow's sides from (-1, 1) to (-1, 2) and from (0, 2)
-        # to (1, 1) in x and z begin behind the eye and end before it.
+    def test_what_is_behind_the_eye_or_far_from_the_sheet_is_cut_off(self):
+        # Looking along z, x is to the left: the shadow's sides from (-1, 1) to (-1, 2) and from
+        # (0, 2) to (1, 1) in x and z begin behind the eye and end before it. The sheet is 2 high
+        # and 4 wide, and is drawn on up to 3 times that.
         _, drawing = self.draw("--kind", "discrete", "--eye", "-0.5,0.25,1.5", "--at",
-                               "-0.5,0.25,2.5", "--angle", "90")
-        near = 1e-3
+                               "-0.5,0.25,2.5", "--angle", "90", "--size", "400x200")
         points = [point for path in drawing.layers["contours"] for piece in path
                   for point in piece]
-        self.assertGreater(len(points), 2)
-        # On the ground, and so below the eye by a quarter over the depth.
-        depths = [0.25 / y for _, y in points]
-        self.assertAlmostEqual(max(depths), 0.5, 6)
-        # Cut at the near plane to all digits that are written.
-        for depth in depths:
-            self.assertGreater(depth, near * (1 - 1e-8))
-        ends = [(x, y) for (x, y), depth in zip(points, depths) if depth < near * (1 + 1e-7)]
-        self.assertEqual(len(ends), 2)
-        for (x, y), wanted in zip(sorted(ends), (-1, 0.5)):
-            self.assertAlmostEqual(y, 0.25 / near, 4)
-            self.assertAlmostEqual(x * near, wanted, 2)
+        self.assertEqual(len(points), 4)
+        # The eye is a quarter above the ground. One side is cut at the bottom, y = 3, at the depth
+        # of 1/12, the other one at the right, x = -6, where (1 - depth) / depth = 6.
+        for x, depth in (-1, 1 / 12), (-1, 0.5), (0, 0.5), (0.5 - 1 / 7, 1 / 7):
+            wanted = (-(x + 0.5) / depth, 0.25 / depth)
+            self.assertLess(min(math.dist(wanted, point) for point in points), 1e-6, wanted)
+        for x, y in points:
+            self.assertLessEqual(abs(x), 6 + 1e-6)
+            self.assertLessEqual(abs(y), 3 + 1e-6)
+        # In parallel projection, from above, the shadow's side at z = 2 is outside, and the contour
+        # comes back in.
+        _, drawing = self.draw("--parallel", "--eye", "0,9,0", "--at", "0,7.5,0")
+        edge = 1.5 * 2 * 1.5 * math.tan(math.radians(15))
+        path, = drawing.layers["contours"]
+        self.assertEqual(len(path), 2)
+        points = [point for piece in path for point in piece]
+        for wanted in (0, 0), (-1, 1), (-1, edge), (2 - edge, edge), (1, 1):
+            self.assertLess(min(math.dist(wanted, point) for point in points), 1e-5, wanted)
+        self.assertLessEqual(max(y for _, y in points), edge + 1e-6)
 
     def test_repeats_exactly_and_without_dots(self):
         texts = []
