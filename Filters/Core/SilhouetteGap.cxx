@@ -101,7 +101,8 @@ private:
       : this->shadingNormal(this->End.chain.crossings[node - this->VertexCount], onSurface);
   }
 
-  /// As it is interpolated on the mesh when that is drawn: there is no edge in the shading.
+  /// As it is interpolated on the mesh when that is drawn: where a gap begins in sight its shade
+  /// goes on.
   Vec3 shadingNormal(const Crossing& c, const Vec3& onSurface) const
   {
     const TriangleMesh& mesh = this->End.caster.mesh();
