@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is needed, builds the tool and draws the bunny, a coarse sphere and a coarse torus
-# over a ground, lit by a point light, with each kind of shadow side by side. Ends with where the
-# pictures are and what was measured. A second run reuses the build.
+# over a ground, lit by a point light, with each kind of shadow side by side; and the bunny as a
+# sketch, of its outlines and the contours of its shadow. Ends with where the pictures are and what
+# was measured. A second run reuses the build.
 #
 #     Examples/demo.sh                  builds in build/, writes to build/demo/
 #     BUILD=/elsewhere Examples/demo.sh
@@ -17,7 +18,8 @@ kinds=(none discrete accurate smooth)
 if [ ! -e "$build/CMakeCache.txt" ]; then
   cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release
 fi
-cmake --build "$build" --parallel "$(nproc)" --target smoothshadow CoarseShapes SideBySide
+cmake --build "$build" --parallel "$(nproc)" \
+  --target smoothshadow ArchitecturalSketch CoarseShapes SideBySide
 
 mkdir -p "$out"
 "$build/bin/CoarseShapes" "$out/sphere.vtp" "$out/torus.vtp"
@@ -81,9 +83,14 @@ print(f"\nlight move: silhouette and shadow volume anew, median of 9; frame: {dr
       f"shadowed pixels of the 480 x 480 picture")
 TABLE
 
+"$build/bin/ArchitecturalSketch" "$out/sketch.png" "$out/sketch.svg" "$bunny" >/dev/null
+
 echo
 echo "pictures:"
 for name in bunny sphere torus; do
   echo "  $out/$name.png"
 done
+echo "the bunny on a chair, drawn with cast contours:"
+echo "  $out/sketch.png"
+echo "  $out/sketch.svg   (layers, for Inkscape)"
 echo "shadow volumes, for ParaView: $out/*.vtp; all figures: $out/*.json"

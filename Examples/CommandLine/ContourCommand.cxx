@@ -19,6 +19,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -150,6 +151,27 @@ public:
   double Size = 0.0; // of the largest caster
 };
 
+// The first caster with which alone there are no contours either.
+std::string Culprit(const Arguments& arguments, const Meshes& meshes)
+{
+  const auto fails = [&](const std::string& caster) {
+    Arguments alone = arguments;
+    alone.Casters = { caster };
+    ClearMessages();
+    Pipeline(alone, meshes).Contour->Update();
+    return !FirstError().empty();
+  };
+  const auto found = std::find_if(arguments.Casters.begin(), arguments.Casters.end(), fails);
+  return found != arguments.Casters.end() ? *found : arguments.Casters.front();
+}
+
+std::string Text(const Homogeneous& light)
+{
+  std::ostringstream text;
+  text << light[0] << "," << light[1] << "," << light[2] << "," << light[3];
+  return text.str();
+}
+
 Json ContourStatistics(vtkPolyData* contours)
 {
   Json statistics;
@@ -188,8 +210,9 @@ void Run(const Arguments& arguments)
     [&](const Homogeneous& light) { pipeline.Update(light); });
   if (!FirstError().empty())
   {
-    throw Failure(
-      "no contours (" + FirstError() + ")", arguments.Casters.front(), "check meshes and light");
+    const std::string reason = FirstError();
+    throw Failure("no contours (" + reason + ")", Culprit(arguments, meshes),
+      "check it and --light " + Text(arguments.Light));
   }
   vtkPolyData* contours = pipeline.Contour->GetOutput();
   Json statistics;
@@ -250,7 +273,10 @@ void AddDrawingOptions(CLI::App& command, DrawingOptions& drawing)
   command
     .add_option_function<std::string>(
       "--scale",
-      [&drawing](const std::string& text) { drawing.Scale = ParsePositive("--scale", text); },
+      [&drawing](const std::string& text) {
+        drawing.Scale = ParsePositive("--scale", text);
+        drawing.ScaleText = text;
+      },
       "millimetres on paper for a unit of the meshes [the picture's size in pixels]")
     ->type_name("MM");
   AddViewOptions(command, drawing.Scene);

@@ -4,7 +4,6 @@
 #include "Failure.h"
 #include "Shading.h"
 
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCleanPolyData.h>
 #include <vtkFeatureEdges.h>
@@ -14,29 +13,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace
 {
-// A copy with the lines that have this value of the cells' array, and all points.
+// The lines that have this value of the cells' array.
 vtkSmartPointer<vtkPolyData> LinesWith(vtkPolyData* lines, const char* array, double value)
 {
-  vtkNew<vtkCellArray> cells;
   vtkDataArray* values = lines->GetCellData()->GetArray(array);
-  for (vtkIdType line = 0; line < lines->GetNumberOfLines(); ++line)
-  {
-    vtkIdType count;
-    const vtkIdType* ids;
-    lines->GetLines()->GetCellAtId(line, count, ids);
-    if (values->GetComponent(line, 0) == value)
+  return LinesThat(lines, [&](vtkIdType line) { return values->GetComponent(line, 0) == value; });
+}
+
+// Whose coordinates are the largest.
+const Mesh& FarthestOf(const std::vector<Mesh>& meshes)
+{
+  const auto reach = [](const Mesh& mesh) {
+    double bounds[6];
+    mesh.Data->GetBounds(bounds);
+    double largest = 0.0;
+    for (const double bound : bounds)
     {
-      cells->InsertNextCell(count, ids);
+      largest = std::max(largest, std::abs(bound));
     }
-  }
-  auto chosen = vtkSmartPointer<vtkPolyData>::New();
-  chosen->ShallowCopy(lines);
-  chosen->GetCellData()->Initialize();
-  chosen->SetLines(cells);
-  return chosen;
+    return largest;
+  };
+  return *std::max_element(meshes.begin(), meshes.end(),
+    [&](const Mesh& a, const Mesh& b) { return reach(a) < reach(b); });
 }
 
 // Edges that are sharp or a border, joined.
@@ -122,6 +124,28 @@ Json CountPaths(const std::vector<DrawnLine>& lines)
   return std::count_if(
     lines.begin(), lines.end(), [](const DrawnLine& line) { return !line.empty(); });
 }
+
+// In the size of the picture, or to scale.
+SvgDrawing MakeSvg(const DrawingView& view, const DrawingOptions& options)
+{
+  if (options.Scale == 0.0)
+  {
+    return SvgDrawing(
+      view.Width(), view.Height(), options.Scene.Size[0], options.Scene.Size[1], "");
+  }
+  const double width = options.Scale * view.Width();
+  const double height = options.Scale * view.Height();
+  const auto isShown = [](double size) { return std::isfinite(size) && size > 0.0; };
+  if (!isShown(width) || !isShown(height))
+  {
+    std::ostringstream message;
+    message << "--scale " << options.ScaleText << ": a sheet of " << view.Width() << " x "
+            << view.Height() << " units has no size on paper then, a "
+            << (std::isinf(std::max(width, height)) ? "smaller" : "larger") << " scale is wanted";
+    throw UsageError(message.str());
+  }
+  return SvgDrawing(view.Width(), view.Height(), width, height, "mm");
+}
 }
 
 Json WriteDrawing(vtkPolyData* contours, const std::vector<Mesh>& meshes, double featureAngle,
@@ -133,7 +157,7 @@ Json WriteDrawing(vtkPolyData* contours, const std::vector<Mesh>& meshes, double
   const DrawingView view(drawing.View, options.Parallel, options.Scene.Size, drawing.Surfaces);
   if (!std::isfinite(view.Width()) || !std::isfinite(view.Height()))
   {
-    throw Failure("the scene is too large for a view of it", meshes.front().File,
+    throw Failure("the scene is too large for a view of it", FarthestOf(meshes).File,
       "check the meshes' coordinates, or give --eye and --at");
   }
 
@@ -159,10 +183,7 @@ Json WriteDrawing(vtkPolyData* contours, const std::vector<Mesh>& meshes, double
   {
     statistics["paths"][layer.Id] = CountPaths(layer.Lines);
   }
-  const bool scaled = options.Scale > 0.0;
-  SvgDrawing svg(view.Width(), view.Height(),
-    scaled ? options.Scale * view.Width() : options.Scene.Size[0],
-    scaled ? options.Scale * view.Height() : options.Scene.Size[1], scaled ? "mm" : "");
+  SvgDrawing svg = MakeSvg(view, options);
   for (SvgDrawing::Layer& layer : layers)
   {
     svg.Add(std::move(layer));

@@ -5,11 +5,10 @@
 #ifndef Numbers_h
 #define Numbers_h
 
+#include "Vectors.h"
+
 #include <array>
 #include <string>
-
-using Vector3 = std::array<double, 3>;
-using Homogeneous = std::array<double, 4>;
 
 double ParseNumber(const std::string& option, const std::string& text);
 

@@ -4,7 +4,7 @@
 #ifndef Scene_h
 #define Scene_h
 
-#include "Numbers.h"
+#include "Camera.h"
 
 #include <optional>
 #include <vector>
@@ -29,14 +29,6 @@ struct Ground
   Vector3 Origin;
   Vector3 Point1;
   Vector3 Point2;
-};
-
-struct Camera
-{
-  Vector3 Eye;
-  Vector3 At;
-  Vector3 Up;
-  double Angle; // vertical, degrees
 };
 
 class Scene

@@ -1,6 +1,7 @@
 #include "ViewOptions.h"
 
 #include "Failure.h"
+#include "Numbers.h"
 
 #include <CLI/CLI.hpp>
 

@@ -24,7 +24,7 @@ bool isOutside(const Light& light, const Caster& caster, const SilhouetteInput& 
 NearEnd makeNearEnd(const Caster& caster, const SilhouetteChain& chain,
   const SilhouetteInput& silhouette, Caps caps)
 {
-  NearEnd end{ caster, chain, std::nullopt, {}, {}, {},
+  NearEnd end{ caster, chain, std::nullopt, {}, {}, {}, {},
     isOutside(chain.light, caster, silhouette) };
   if (caps != Caps::None)
   {

@@ -47,6 +47,7 @@ struct NearEnd
   const SilhouetteChain& chain;
   std::optional<NearCap> cap;
   std::vector<Vec3> points;              ///< further points: off the mesh, or between nodes
+  std::vector<Index> origins;            ///< of each further point, the silhouette's that it is
   std::vector<VolumeTriangle> triangles; ///< gaps, and what is cap in front of concave contours
   std::vector<VolumeRim> rims;           ///< of the loops that enclose something
   /// Of the ball around the mesh and the silhouette. From there all of their points are seen within

@@ -74,6 +74,7 @@ private:
       this->Placed[i] = static_cast<Index>(
         this->VertexCount + this->Chain.crossings.size() + this->End.points.size());
       this->End.points.push_back(this->Silhouette.points[i]);
+      this->End.origins.push_back(static_cast<Index>(i));
       if (known)
       {
         *known = this->Placed[i];

@@ -82,8 +82,7 @@ bool vtkShadowVolumeExtruder::ReadSettings(
 {
   if (given && !readSettings(given, settings))
   {
-    vtkErrorMacro("The silhouette on port 1 lacks its field data or its light: give it the output "
-                  "of vtkSmoothLightSilhouette.");
+    vtkErrorMacro(<< describeUnreadableSilhouette());
     return false;
   }
   if (!given && !readLight(this->LightPosition, settings.light))
@@ -121,17 +120,11 @@ int vtkShadowVolumeExtruder::RequestData(
   }
   else
   {
-    match = readSilhouette(given, caster, *chain, silhouette)
-      ? shadow::match(silhouette, caster, *chain)
-      : shadow::Match::None;
+    match = matchSilhouette(given, settings, caster, *chain, silhouette);
   }
-  // Only a search that says so may have left some of it out.
-  if (match == shadow::Match::None || (match == shadow::Match::Part && settings.complete))
+  if (match == shadow::Match::None)
   {
-    vtkErrorMacro("The silhouette on port 1 is not that of the mesh on port 0, which has "
-      << input->GetNumberOfCells()
-      << " cells: connect vtkSmoothLightSilhouette to the same mesh and leave its output as it "
-         "is.");
+    vtkErrorMacro(<< describeForeignSilhouette(input));
     return 0;
   }
   const shadow::NearEnd nearEnd =

@@ -592,6 +592,58 @@ class Contour(ToolTest):
         self.fail_in("ground.obj", "lies on a silhouette", "contour", "--caster", "ground.obj",
                      "--receiver", "box.obj", "-o", "out.svg", "--light", "5,0,0.5")
 
+    def test_the_caster_at_fault_is_named(self):
+        # In the plane of its own silhouette there is no light.
+        for order in (("box.obj", "ground.obj"), ("ground.obj", "box.obj")):
+            message = self.fail_with(1, "contour", "--caster", *order, "--receiver", "box.obj",
+                                     "-o", "out.svg", "--light", "5,0,0.5")
+            self.assertRegex(message, r"lies on a silhouette.*\), in ground\.obj, check it and "
+                             r"--light 5,0,0\.5,1\n")
+
+    def test_the_mesh_that_is_too_large_is_named(self):
+        Meshes.write_torus(self.path("large.vtp"), radius=1e300, tube=4e299)
+        for caster, receiver in (("box.obj", "large.vtp"), ("large.vtp", "box.obj")):
+            self.fail_in("large.vtp", "too large for a view", "contour", "--caster", caster,
+                         "--receiver", receiver, "-o", "out.svg", *self.LIGHT)
+
+    def test_a_sheet_without_size_is_refused(self):
+        # A sheet of some 5 units, and one of 2e-5.
+        for scale, at, angle, wanted in (("1e308", "0,0,0", "30", "smaller"),
+                                         ("5e-324", "0,8.999,0", "1", "larger")):
+            message = self.fail_with(2, "contour", "--caster", "box.obj", "--receiver",
+                                     "ground.obj", "-o", "out.svg", *self.LIGHT, "--eye", "0,9,0",
+                                     "--at", at, "--angle", angle, "--scale", scale)
+            self.assertIn(f"--scale {scale}: ", message)
+            self.assertIn(f"a {wanted} scale", message)
+
+    def test_what_is_behind_the_eye_or_far_from_the_sheet_is_cut_off(self):
+        # Looking along z, x is to the left: the shadow's sides from (-1, 1) to (-1, 2) and from
+        # (0, 2) to (1, 1) in x and z begin behind the eye and end before it. The sheet is 2 high
+        # and 4 wide, and is drawn on up to 3 times that.
+        _, drawing = self.draw("--kind", "discrete", "--eye", "-0.5,0.25,1.5", "--at",
+                               "-0.5,0.25,2.5", "--angle", "90", "--size", "400x200")
+        points = [point for path in drawing.layers["contours"] for piece in path
+                  for point in piece]
+        self.assertEqual(len(points), 4)
+        # The eye is a quarter above the ground. One side is cut at the bottom, y = 3, at the depth
+        # of 1/12, the other one at the right, x = -6, where (1 - depth) / depth = 6.
+        for x, depth in (-1, 1 / 12), (-1, 0.5), (0, 0.5), (0.5 - 1 / 7, 1 / 7):
+            wanted = (-(x + 0.5) / depth, 0.25 / depth)
+            self.assertLess(min(math.dist(wanted, point) for point in points), 1e-6, wanted)
+        for x, y in points:
+            self.assertLessEqual(abs(x), 6 + 1e-6)
+            self.assertLessEqual(abs(y), 3 + 1e-6)
+        # In parallel projection, from above, the shadow's side at z = 2 is outside, and the contour
+        # comes back in.
+        _, drawing = self.draw("--parallel", "--eye", "0,9,0", "--at", "0,7.5,0")
+        edge = 1.5 * 2 * 1.5 * math.tan(math.radians(15))
+        path, = drawing.layers["contours"]
+        self.assertEqual(len(path), 2)
+        points = [point for piece in path for point in piece]
+        for wanted in (0, 0), (-1, 1), (-1, edge), (2 - edge, edge), (1, 1):
+            self.assertLess(min(math.dist(wanted, point) for point in points), 1e-5, wanted)
+        self.assertLessEqual(max(y for _, y in points), edge + 1e-6)
+
     def test_repeats_exactly_and_without_dots(self):
         texts = []
         for _ in range(2):

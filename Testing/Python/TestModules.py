@@ -7,7 +7,8 @@ from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 
 from smoothshadow.vtkFiltersShadow import (vtkCastShadowContour, vtkContourStrokes,
                                            vtkShadowedReceiver, vtkShadowMeshCheck,
-                                           vtkShadowVolumeExtruder, vtkSmoothLightSilhouette)
+                                           vtkShadowVolumeExtruder, vtkSilhouetteGap,
+                                           vtkSmoothLightSilhouette)
 from smoothshadow.vtkRenderingOffscreen import vtkOffscreenWindows
 from smoothshadow.vtkRenderingShadow import vtkStencilShadowPass
 
@@ -34,7 +35,8 @@ class Modules(unittest.TestCase):
         shadows = vtkStencilShadowPass()
         self.assertEqual(shadows.GetKind(), vtkStencilShadowPass.AUTOMATIC)
         for thing in (silhouette, shadows, vtkShadowVolumeExtruder(), vtkShadowMeshCheck(),
-                      vtkCastShadowContour(), vtkShadowedReceiver(), vtkContourStrokes()):
+                      vtkCastShadowContour(), vtkShadowedReceiver(), vtkContourStrokes(),
+                      vtkSilhouetteGap()):
             self.assertIn(thing.GetClassName(), str(thing))
 
     def test_silhouette_of_a_sphere(self):

@@ -7,6 +7,7 @@ import math
 import os
 import subprocess
 import sys
+import tempfile
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "CommandLine"))
@@ -78,6 +79,49 @@ class Sketch(unittest.TestCase):
         shadowed = sum(collections.Counter(value for value in self.around(x, y, 4) if value > INK)
                        .most_common(1)[0][0] < WHITE for x, y in places)
         self.assertGreater(shadowed, 0.95 * len(places))
+
+
+class SmoothOutlines(unittest.TestCase):
+    """Of a sphere of 48 triangles, in front of the chair's back."""
+
+    def draw(self, folder, *options):
+        names = [os.path.join(folder, name) for name in ("out.png", "out.svg", "sphere.obj")]
+        points = [(0, 1, 0), (0, -1, 0)]
+        for ring in (1, 2, 3):
+            for i in range(8):
+                y, along = math.cos(ring * math.pi / 4), i * math.pi / 4
+                radius = math.sin(ring * math.pi / 4)
+                points.append((radius * math.sin(along), y, radius * math.cos(along)))
+        faces = []
+        for i in range(8):
+            this, after = 2 + i, 2 + (i + 1) % 8
+            faces += [(0, this, after), (1, after + 16, this + 16)]
+            faces += [(at, at + 8, after + at - this + 8, after + at - this)
+                      for at in (this, this + 8)]
+        Meshes.write_obj(names[2], points, faces)
+        subprocess.run([COMMAND, *options, *names], check=True, capture_output=True)
+        return Meshes.Image(names[0]), Meshes.Drawing(names[1])
+
+    def test_only_the_gap_is_filled(self):
+        with tempfile.TemporaryDirectory() as folder:
+            plain, _ = self.draw(folder)
+            filled, drawing = self.draw(folder, "--smooth-outlines")
+        scale = HEIGHT / drawing.view[3]
+        outline = [(x * scale + WIDTH / 2, y * scale + HEIGHT / 2)
+                   for path in drawing.layers["outlines"] for piece in path for x, y in piece]
+        self.assertGreater(len(outline), 50)
+        left, right = (choose(x for x, _ in outline) for choose in (min, max))
+        top, bottom = (choose(y for _, y in outline) for choose in (min, max))
+        changed = [(i % WIDTH, HEIGHT - 1 - i // WIDTH) for i in range(WIDTH * HEIGHT)
+                   if plain.pixel(i) != filled.pixel(i)]
+        self.assertGreater(len(changed), 1000)
+        # Facets turn by 45 degrees: the gap is some 0.08 of the radius, about 15 pixels, wide.
+        for x, y in changed:
+            self.assertTrue(left - 2 <= x <= right + 2 and top - 2 <= y <= bottom + 2)
+        centre = ((left + right) / 2, (top + bottom) / 2)
+        radius = (right - left) / 2
+        for place in changed:
+            self.assertGreater(math.dist(place, centre), 0.8 * radius)
 
 
 if __name__ == "__main__":

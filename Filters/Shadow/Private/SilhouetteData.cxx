@@ -286,6 +286,32 @@ bool readSilhouette(vtkPolyData* data, const shadow::Caster& caster,
   return true;
 }
 
+std::string describeUnreadableSilhouette()
+{
+  return "The silhouette on port 1 lacks its field data or its light: give it the output of "
+         "vtkSmoothLightSilhouette.";
+}
+
+shadow::Match matchSilhouette(vtkPolyData* data, const SilhouetteSettings& settings,
+  const shadow::Caster& caster, const shadow::SilhouetteChain& chain,
+  shadow::SilhouetteInput& silhouette)
+{
+  if (!readSilhouette(data, caster, chain, silhouette))
+  {
+    return shadow::Match::None;
+  }
+  const shadow::Match match = shadow::match(silhouette, caster, chain);
+  // Only a search that says so may have left some of it out.
+  return match == shadow::Match::Part && settings.complete ? shadow::Match::None : match;
+}
+
+std::string describeForeignSilhouette(vtkPolyData* mesh)
+{
+  return "The silhouette on port 1 is not that of the mesh on port 0, which has " +
+    std::to_string(mesh->GetNumberOfCells()) +
+    " cells: connect vtkSmoothLightSilhouette to the same mesh and leave its output as it is.";
+}
+
 shadow::SilhouetteInput toInput(const shadow::Caster& caster, const shadow::SilhouetteChain& chain,
   const shadow::SilhouetteLoops& loops)
 {

@@ -1,13 +1,17 @@
 /**
- * What the tool computes with vectors.
+ * Vectors, and what the tool and the examples compute with them.
  */
 #ifndef Vectors_h
 #define Vectors_h
 
-#include "Numbers.h"
-
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+using Vector3 = std::array<double, 3>;
+
+/// A point at (x, y, z) / w, or for w = 0 a direction.
+using Homogeneous = std::array<double, 4>;
 
 inline double Dot(const Vector3& a, const Vector3& b)
 {

@@ -1,7 +1,5 @@
 #include "LineOfSight.h"
 
-#include "Vectors.h"
-
 #include <vtkBoundingBox.h>
 #include <vtkNew.h>
 

@@ -4,16 +4,12 @@
 #ifndef LineOfSight_h
 #define LineOfSight_h
 
-#include "Numbers.h"
+#include "Polylines.h"
 
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 #include <vtkStaticCellLocator.h>
 
 #include <functional>
 #include <vector>
-
-using Polyline3 = std::vector<Vector3>;
 
 class LineOfSight
 {
